@@ -1,0 +1,11 @@
+# find_package(wardslam) for projects outside: one exported target per room.
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wardslam)
+install(EXPORT wardslam-targets NAMESPACE wardslam:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/wardslam-config.cmake.in ${PROJECT_BINARY_DIR}/wardslam-config.cmake
+  INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/wardslam-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/wardslam-config.cmake ${PROJECT_BINARY_DIR}/wardslam-config-version.cmake
+  DESTINATION ${package_dir})
+install(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/wardslam)

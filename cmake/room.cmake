@@ -1,0 +1,31 @@
+# wardslam_room(<name> PUBLIC <targets...> PRIVATE <targets...>)
+#
+# One room: the library wardslam::<name>, made of every src/*.cpp beside the calling CMakeLists.txt,
+# with its public headers under include/wardslam/<name>/.
+function(wardslam_room room)
+  cmake_parse_arguments(ROOM "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
+  add_library(wardslam_${room} ${sources})
+  add_library(wardslam::${room} ALIAS wardslam_${room})
+  target_include_directories(wardslam_${room}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE src)
+  target_link_libraries(wardslam_${room}
+    PUBLIC ${ROOM_PUBLIC}
+    PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:wardslam_compile_options>)
+  target_compile_features(wardslam_${room} PUBLIC cxx_std_17)
+  set_target_properties(wardslam_${room} PROPERTIES
+    EXPORT_NAME ${room} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+    POSITION_INDEPENDENT_CODE ON INSTALL_RPATH "$ORIGIN")
+  install(TARGETS wardslam_${room} EXPORT wardslam-targets)
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+# wardslam_program(<name> SOURCES <files...> LIBRARIES <targets...>): an installed executable.
+function(wardslam_program program)
+  cmake_parse_arguments(PROGRAM "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${program} ${PROGRAM_SOURCES})
+  target_link_libraries(${program} PRIVATE ${PROGRAM_LIBRARIES} wardslam_compile_options)
+  set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  install(TARGETS ${program})
+endfunction()

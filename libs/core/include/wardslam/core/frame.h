@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core.hpp>
+
+#include "wardslam/core/camera_model.h"
+#include "wardslam/core/event_counts.h"
+#include "wardslam/core/keypoint.h"
+#include "wardslam/core/segmentation.h"
+
+namespace mrpt::obs {
+class CObservation3DRangeScan;
+}
+
+namespace wardslam::core {
+
+/// One RGB-D picture on its way through the pipeline. Each step fills its part; images share memory when copied.
+struct Frame {
+  std::uint64_t index = 0;  ///< Running number within the run, from 0.
+  double stamp_s = 0.0;     ///< UNIX time, UTC, of the colour image.
+  CameraModel camera;       ///< Of the colour image; depth is registered to it.
+
+  cv::Mat color_bgr;  ///< CV_8UC3, raw (not undistorted).
+  cv::Mat gray;       ///< CV_8UC1, raw.
+  cv::Mat depth_m;    ///< CV_32FC1, same size as gray, depth along the optical axis in metres, 0 = none.
+
+  Features features;          ///< Filled by features::OrbExtractor; filters set Keypoint::motion.
+  Segmentation segmentation;  ///< Filled by the filter that segments; empty otherwise.
+
+  /// What the frame was built from; filters annotate it (pixelLabels, confidenceImage). May be null in tests.
+  std::shared_ptr<mrpt::obs::CObservation3DRangeScan> observation;
+
+  EventCounts events;  ///< Trouble met while working on this frame.
+};
+
+}  // namespace wardslam::core

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace wardslam::core {
+
+/// What the filters found out about a key point. Dynamic points take no part in tracking or mapping.
+enum class Motion : std::uint8_t { Static, Dynamic };
+
+/// An ORB key point with its depth.
+struct Keypoint {
+  cv::Point2f raw_px;          ///< Where it was found in the image as recorded.
+  cv::Point2f undistorted_px;  ///< Where an ideal pinhole camera would have seen it.
+  float depth_m = 0.0F;        ///< Depth along the optical axis; 0 = none measured.
+  float angle_rad = 0.0F;      ///< Gray-centroid orientation, Eq. 5 (P5): atan2(m01, m10), image axes.
+  float response = 0.0F;       ///< Corner strength, comparable within one image only.
+  std::uint8_t octave = 0;     ///< Level of the scale pyramid it was found on, 0 = full resolution.
+  Motion motion = Motion::Static;
+
+  [[nodiscard]] bool hasDepth() const { return depth_m > 0.0F; }
+};
+
+/// Key points and their ORB descriptors: row i of `descriptors` (CV_8UC1, 32 columns) belongs to keypoints[i].
+struct Features {
+  std::vector<Keypoint> keypoints;
+  cv::Mat descriptors;
+
+  [[nodiscard]] std::size_t size() const { return keypoints.size(); }
+};
+
+/// The features a filter has not marked dynamic: P_static = P_orb − P_dynamic (Eq. 9, P7).
+[[nodiscard]] Features selectStatic(const Features& features);
+
+}  // namespace wardslam::core

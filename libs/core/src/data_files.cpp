@@ -1,0 +1,30 @@
+#include "wardslam/core/data_files.h"
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "wardslam/core/errors.h"
+
+namespace wardslam::core {
+
+std::filesystem::path findDataFile(const std::filesystem::path& name, const std::filesystem::path& referringFile) {
+  if (name.is_absolute()) {
+    if (std::filesystem::exists(name)) return name;
+    throw InputError(name.string() + ": no such file");
+  }
+  std::vector<std::filesystem::path> folders;
+  if (!referringFile.empty()) folders.push_back(referringFile.parent_path());
+  if (const char* chosen = std::getenv("WARDSLAM_DATA_DIR")) folders.emplace_back(chosen);
+  folders.emplace_back(WARDSLAM_INSTALLED_DATA_DIR);
+  folders.emplace_back(WARDSLAM_SOURCE_DATA_DIR);
+
+  std::string tried;
+  for (const auto& folder : folders) {
+    if (std::filesystem::exists(folder / name)) return folder / name;
+    tried += (tried.empty() ? "" : ", ") + (folder.empty() ? std::string(".") : folder.string());
+  }
+  throw InputError(name.string() + ": not found in " + tried + "; give its full path or set WARDSLAM_DATA_DIR");
+}
+
+}  // namespace wardslam::core

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "wardslam/core/keypoint.h"
+
+namespace wardslam::features {
+
+/// The local semantic descriptor D (Eq. 1–2, P4) of one key point: n×n class ids (CV_8UC1, n odd) of the pixels
+/// around it, the patch rotated by the key point's orientation (Eq. 3–5, P5) so that turning the image leaves it
+/// unchanged. Cells outside the image are 0 (unclassified).
+///
+/// `classIds`: CV_8UC1, raw image. `n`: side length in pixels, odd, > 0.
+[[nodiscard]] cv::Mat describeSemantics(const cv::Mat& classIds, const core::Keypoint& keypoint, int n);
+
+/// Number of cells in which two descriptors of equal size differ (P6). Eq. 6 as printed counts *equal* cells; the
+/// paper's own example and its use as an outlier test need the count of differing ones.
+[[nodiscard]] int semanticDistance(const cv::Mat& a, const cv::Mat& b);
+
+}  // namespace wardslam::features

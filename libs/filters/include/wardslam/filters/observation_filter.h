@@ -1,0 +1,48 @@
+#pragma once
+
+#include <mrpt/rtti/CObject.h>
+
+#include <memory>
+#include <string>
+
+#include "wardslam/core/frame.h"
+#include "wardslam/core/options.h"
+
+namespace wardslam::segmentation {
+class AsyncSegmenter;
+}
+namespace wardslam::knowledge {
+class KnowledgeGraph;
+}
+
+namespace wardslam::filters {
+
+/// What a filter may use besides its own parameters. Either may be null; a filter that needs it says so.
+struct FilterContext {
+  std::shared_ptr<segmentation::AsyncSegmenter> segmenter;
+  std::shared_ptr<const knowledge::KnowledgeGraph> knowledge;
+};
+
+/// A link of the chain between the sensor and the odometry. It looks at a frame and marks what must not be trusted:
+/// Keypoint::motion, and annotations on Frame::observation.
+///
+/// Filters are made by class name through MRPT's run-time class registry, so that one may live in a plug-in library.
+class ObservationFilter : public mrpt::rtti::CObject {
+  DEFINE_VIRTUAL_MRPT_OBJECT(ObservationFilter)
+
+ public:
+  /// Once, before the first frame. Throws core::InputError on unknown keys, bad values or a missing context.
+  virtual void initialize(const core::ConfigNode& parameters, const FilterContext& context) = 0;
+
+  /// Start work that needs only the images (Frame::features is still empty); must not block. It runs while the
+  /// caller extracts key points (P1).
+  virtual void begin(const core::Frame& /*frame*/) {}
+
+  /// Mark the frame. Trouble goes to Frame::events.
+  virtual void apply(core::Frame& frame) = 0;
+
+  /// The parameters in effect as YAML (core::writeOptions) with the given indentation.
+  [[nodiscard]] virtual std::string parameters(int indent) const = 0;
+};
+
+}  // namespace wardslam::filters

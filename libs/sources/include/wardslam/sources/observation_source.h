@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "wardslam/core/camera_model.h"
+#include "wardslam/core/event_counts.h"
+
+namespace mrpt::obs {
+class CObservation3DRangeScan;
+}
+
+namespace wardslam::sources {
+
+/// A stream of RGB-D observations, in order of time.
+class ObservationSource {
+ public:
+  virtual ~ObservationSource() = default;
+
+  /// The next observation with both an intensity image and a range image, or null at the end. An observation that
+  /// cannot be read is skipped, counted in damage() and told to the warning sink.
+  [[nodiscard]] virtual std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() = 0;
+
+  /// How many observations there are to come at the start, where that is known beforehand.
+  [[nodiscard]] virtual std::optional<std::size_t> size() const = 0;
+
+  /// Unreadable input met so far, by kind ("sources.image_unreadable"). Empty: all was well.
+  [[nodiscard]] virtual const core::EventCounts& damage() const = 0;
+};
+
+/// Receives one sentence about survived trouble; the program decides where it goes.
+using WarningSink = std::function<void(const std::string&)>;
+
+struct SourceOptions {
+  std::optional<core::CameraModel> camera;  ///< Replaces the calibration that comes with the observations.
+  WarningSink warn = [](const std::string&) {};
+};
+
+/// Opens a TUM folder or a .rawlog file, told apart by what the path is. Throws core::InputError.
+[[nodiscard]] std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input,
+                                                            const SourceOptions& options);
+
+}  // namespace wardslam::sources
