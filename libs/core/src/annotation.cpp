@@ -10,7 +10,7 @@ void annotate(mrpt::obs::CObservation3DRangeScan& observation, const cv::Mat& la
   using Labels = mrpt::obs::TPixelLabelInfo<1>;
   auto labels = std::make_shared<Labels>();
   labels->setSize(labelBits.rows, labelBits.cols);
-  labels->pixelLabels_names = {{static_cast<std::uint32_t>(PixelLabel::Dynamic), "dynamic"},
+  labels->pixelLabelNames = {{static_cast<std::uint32_t>(PixelLabel::Dynamic), "dynamic"},
                                {static_cast<std::uint32_t>(PixelLabel::Movable), "movable"},
                                {static_cast<std::uint32_t>(PixelLabel::Person), "person"},
                                {static_cast<std::uint32_t>(PixelLabel::Thing), "thing"}};
