@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# From a fresh Debian 12 to a running WardSLAM. Every verb can be run again at any time and from any folder.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")"
+readonly PRESET=release
+readonly BIN=build/${PRESET}/bin
+readonly DEMO=demo
+
+# What docs/architecture.md calls the libraries the project stands on, then the tools of the tests.
+readonly PACKAGES=(
+  build-essential cmake ninja-build pkg-config
+  libmrpt-dev libopencv-dev libceres-dev libeigen3-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev
+  libegl1 libegl-mesa0 libgl1-mesa-dri # rawlog-synth renders without a display
+  libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
+)
+
+say() { printf '\n==> %s\n' "$*"; }
+
+die() {
+  printf 'bootstrap.sh: %s\n' "$*" >&2
+  exit 1
+}
+
+usage() {
+  cat <<'TEXT'
+usage: ./bootstrap.sh VERB
+  deps    install the Debian packages that are missing
+  build   deps, then compile everything into build/release/
+  demo    build, then map a synthetic ward with and without the filter; results in demo/
+  test    build, then run all tests
+  tidy    build, then clang-tidy over the whole tree (takes several minutes)
+TEXT
+}
+
+missing_packages() {
+  local package
+  for package in "${PACKAGES[@]}"; do
+    [[ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] || printf '%s\n' "$package"
+  done
+}
+
+deps() {
+  if ! { command -v apt-get && command -v dpkg-query; } >/dev/null; then
+    die "this system has no apt; install the counterparts of these Debian 12 packages yourself, then build with" \
+      "cmake --preset ${PRESET}: ${PACKAGES[*]}"
+  fi
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages)
+  if ((${#missing[@]} == 0)); then
+    say "All ${#PACKAGES[@]} Debian packages are there"
+    return
+  fi
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null ||
+      die "installing packages needs root and there is no sudo; as root run: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "Installing ${#missing[@]} Debian packages: ${missing[*]}"
+  "${as_root[@]}" apt-get update ||
+    die "apt-get update failed; check the network and /etc/apt/sources.list, then run this again"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${missing[@]}" ||
+    die "apt-get could not install what is missing (see its message above); WardSLAM needs: ${missing[*]}"
+}
+
+build() {
+  deps
+  say "Configuring (cmake --preset ${PRESET})"
+  cmake --preset "$PRESET"
+  say "Building into build/${PRESET}/ on $(nproc) cores"
+  cmake --build --preset "$PRESET" --parallel "$(nproc)"
+}
+
+run_tests() {
+  build
+  say "Running all tests"
+  ctest --preset "$PRESET" --parallel "$(nproc)"
+}
+
+tidy() {
+  build
+  say "Running clang-tidy over the whole tree"
+  tests/style/tidy.sh "build/${PRESET}"
+}
+
+# json_number FILE KEY: the number that stands at the first "KEY".
+json_number() { grep -m1 -oP "\"$2\":\s*\K[-+.eE0-9]+" "$1"; }
+
+run_ward() { # run_ward on|off [more options]
+  local filter=$1
+  shift
+  say "Tracking with the filter ${filter} (results in ${DEMO}/${filter}/)"
+  "$BIN/wardslam" run "$DEMO/ward.rawlog" --masks "$DEMO/ward_labels/masks" --filter "$filter" \
+    --out "$DEMO/$filter" --deterministic "$@"
+  "$BIN/wardslam" eval "$DEMO/ward.groundtruth.txt" "$DEMO/$filter/trajectory.txt" --json >"$DEMO/$filter/evaluation.json"
+}
+
+demo_table() {
+  local filter
+  printf '\n%-8s %16s %12s %22s\n' filter 'ATE rmse [m]' coverage 'key points removed [%]'
+  for filter in off on; do
+    printf '%-8s %16.4f %12.3f %22.1f\n' "$filter" \
+      "$(json_number "$DEMO/$filter/evaluation.json" rmse)" \
+      "$(json_number "$DEMO/$filter/summary.json" coverage)" \
+      "$(json_number "$DEMO/$filter/summary.json" dynamic_keypoint_fraction | awk '{print 100 * $1}')"
+  done
+}
+
+demo() {
+  build
+  mkdir -p "$DEMO"
+  say "Rendering ten seconds of a ward with walking people (${DEMO}/ward.rawlog)"
+  "$BIN/rawlog-synth" -o "$DEMO/ward.rawlog" --seconds 10 --seed 1
+  run_ward off
+  run_ward on --pictures
+  say "Error against the true trajectory"
+  demo_table
+  cat <<TEXT
+
+Trajectories:  $PWD/$DEMO/{off,on}/trajectory.txt   truth: $PWD/$DEMO/ward.groundtruth.txt
+Pictures:      $PWD/$DEMO/on/pictures/   what the filter removed, frame by frame
+Figures:       $PWD/$DEMO/{off,on}/{summary,evaluation}.json
+TEXT
+}
+
+case "${1-}" in
+  deps | build | demo | tidy) (($# == 1)) || { usage >&2; exit 2; }; "$1" ;;
+  test) run_tests ;;
+  -h | --help | help) usage ;;
+  *) usage >&2; exit 2 ;;
+esac
