@@ -1,0 +1,116 @@
+#include "eval_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "wardslam/core/errors.h"
+#include "wardslam/evaluation/absolute_trajectory_error.h"
+#include "wardslam/evaluation/coverage.h"
+#include "wardslam/evaluation/relative_pose_error.h"
+#include "wardslam/storage/tum_trajectory.h"
+
+namespace wardslam::apps {
+namespace {
+
+struct EvalArguments {
+  std::filesystem::path groundTruth;
+  std::filesystem::path trajectory;
+  bool json = false;
+};
+
+struct Evaluation {
+  evaluation::AbsoluteTrajectoryError ate;
+  double coverage = 0.0;
+  evaluation::RelativePoseError rpe;
+};
+
+/// When the recording began and ended: its images say so where they are listed beside the ground truth, which
+/// often lasts longer than the images.
+std::pair<double, double> recordingTime_s(const std::filesystem::path& groundTruthFile,
+                                          const core::Trajectory& groundTruth) {
+  const std::filesystem::path images = groundTruthFile.parent_path() / "rgb.txt";
+  if (!std::filesystem::exists(images)) return {groundTruth.front().stamp_s, groundTruth.back().stamp_s};
+  const auto stamps_s = storage::readTumStamps(images);
+  return {stamps_s.front(), stamps_s.back()};
+}
+
+Evaluation evaluate(const EvalArguments& arguments) {
+  const auto groundTruth = storage::readTumTrajectory(arguments.groundTruth);
+  const auto trajectory = storage::readTumTrajectory(arguments.trajectory);
+  const auto [begin_s, end_s] = recordingTime_s(arguments.groundTruth, groundTruth);
+  try {
+    return {evaluation::absoluteTrajectoryError(groundTruth, trajectory),
+            evaluation::coverage(trajectory, begin_s, end_s), evaluation::relativePoseError(groundTruth, trajectory)};
+  } catch (const core::InputError& error) {
+    throw core::InputError(arguments.groundTruth.string() + " and " + arguments.trajectory.string() + ": " +
+                           error.what());
+  }
+}
+
+nlohmann::ordered_json toJson(const evaluation::ErrorStatistics& errors) {
+  return {{"rmse", errors.rmse}, {"mean", errors.mean}, {"median", errors.median},
+          {"std", errors.std},   {"min", errors.min},   {"max", errors.max}};
+}
+
+/// Figures that could not be computed (NaN) become null.
+void printJson(std::ostream& out, const Evaluation& result) {
+  nlohmann::ordered_json json;
+  json["ate"] = toJson(result.ate.translation_m);
+  json["ate"]["pairs"] = result.ate.translation_m.samples;
+  json["coverage"] = result.coverage;
+  json["rpe"]["translation_m_per_s"] = toJson(result.rpe.translation_m);
+  json["rpe"]["rotation_deg_per_s"] = toJson(result.rpe.rotation_deg);
+  json["rpe"]["pairs"] = result.rpe.translation_m.samples;
+  out << json.dump(2) << "\n";
+}
+
+void printRow(std::ostream& out, const std::string& name, const evaluation::ErrorStatistics& errors) {
+  out << std::left << std::setw(14) << name << std::right << std::fixed << std::setprecision(6);
+  for (const double value : {errors.rmse, errors.mean, errors.median, errors.std, errors.min, errors.max}) {
+    out << std::setw(12);
+    std::isnan(value) ? out << "-" : out << value;
+  }
+  out << std::setw(8) << errors.samples << "\n";
+}
+
+void printTable(std::ostream& out, const Evaluation& result) {
+  out << std::left << std::setw(14) << "" << std::right;
+  for (const char* heading : {"rmse", "mean", "median", "std", "min", "max"}) out << std::setw(12) << heading;
+  out << std::setw(8) << "pairs"
+      << "\n";
+  printRow(out, "ATE [m]", result.ate.translation_m);
+  printRow(out, "RPE [m/s]", result.rpe.translation_m);
+  printRow(out, "RPE [deg/s]", result.rpe.rotation_deg);
+  out << std::left << std::setw(14) << "coverage" << std::right << std::setw(12) << result.coverage << "\n";
+}
+
+}  // namespace
+
+void addEvalCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "eval",
+      "Compare a trajectory with the truth: absolute (ATE) and relative (RPE, per second) errors as the TUM "
+      "RGB-D benchmark defines them, and coverage, the share of the recording's time with a pose");
+  auto arguments = std::make_shared<EvalArguments>();
+  command
+      ->add_option("GROUNDTRUTH", arguments->groundTruth,
+                   "true poses, TUM format (timestamp tx ty tz qx qy qz qw); rgb.txt beside it, if any, tells how "
+                   "long the recording is")
+      ->required();
+  command->add_option("TRAJECTORY", arguments->trajectory, "estimated poses, TUM format")->required();
+  command->add_flag("--json", arguments->json, "print JSON instead of a table");
+  command->callback([arguments] {
+    const Evaluation result = evaluate(*arguments);
+    arguments->json ? printJson(std::cout, result) : printTable(std::cout, result);
+  });
+}
+
+}  // namespace wardslam::apps

@@ -1,0 +1,50 @@
+#include "wardslam/evaluation/absolute_trajectory_error.h"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "wardslam/core/errors.h"
+#include "wardslam/evaluation/association.h"
+
+namespace wardslam::evaluation {
+namespace {
+
+std::string timeSpan(const core::Trajectory& trajectory) {
+  if (trajectory.empty()) return "empty";
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f .. %.2f s", trajectory.front().stamp_s, trajectory.back().stamp_s);
+  return text;
+}
+
+void requireTwo(const std::vector<PosePair>& pairs, const core::Trajectory& groundTruth,
+                const core::Trajectory& estimate) {
+  if (pairs.size() >= 2) return;
+  throw core::InputError("at least two poses within 0.02 s of each other are needed but there are " +
+                         std::to_string(pairs.size()) + " (ground truth " + timeSpan(groundTruth) + ", trajectory " +
+                         timeSpan(estimate) + "); are both of the same recording?");
+}
+
+}  // namespace
+
+AbsoluteTrajectoryError absoluteTrajectoryError(const core::Trajectory& groundTruth, const core::Trajectory& estimate) {
+  const std::vector<PosePair> pairs = associate(groundTruth, estimate);
+  requireTwo(pairs, groundTruth, estimate);
+
+  Eigen::Matrix3Xd truePositions(3, pairs.size());
+  Eigen::Matrix3Xd estimatedPositions(3, pairs.size());
+  for (Eigen::Index i = 0; i < truePositions.cols(); ++i) {
+    const PosePair& pair = pairs[static_cast<std::size_t>(i)];
+    truePositions.col(i) = groundTruth[pair.groundTruth].T_map_cam.translation();
+    estimatedPositions.col(i) = estimate[pair.estimate].T_map_cam.translation();
+  }
+
+  AbsoluteTrajectoryError error;
+  error.T_groundtruth_estimate.matrix() = Eigen::umeyama(estimatedPositions, truePositions, /*with_scaling=*/false);
+  const Eigen::VectorXd distances_m =
+      (error.T_groundtruth_estimate * estimatedPositions - truePositions).colwise().norm();
+  error.translation_m = summarise({distances_m.begin(), distances_m.end()});
+  return error;
+}
+
+}  // namespace wardslam::evaluation
