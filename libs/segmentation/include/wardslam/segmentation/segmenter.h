@@ -22,6 +22,10 @@ class Segmenter {
   /// image can mend (a masks folder that belongs to another recording).
   [[nodiscard]] virtual Result segment(const cv::Mat& color_bgr, double stamp_s) = 0;
 
+  /// After the last image. Throws core::InputError when the run as a whole shows that the set-up was wrong (not one
+  /// image found its mask).
+  virtual void finish() {}
+
   /// Names of the class ids it puts out.
   [[nodiscard]] virtual const core::LabelSpace& labelSpace() const = 0;
 };

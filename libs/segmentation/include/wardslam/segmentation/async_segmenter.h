@@ -1,0 +1,48 @@
+#pragma once
+
+#include <condition_variable>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "wardslam/segmentation/segmenter.h"
+
+namespace wardslam::segmentation {
+
+/// Runs a Segmenter in a thread of its own, so that the caller can extract key points meanwhile (P1). At most one
+/// image waits: a newer one takes the place of one that was not begun. For one calling thread.
+class AsyncSegmenter {
+ public:
+  explicit AsyncSegmenter(std::unique_ptr<Segmenter> segmenter);
+  ~AsyncSegmenter();  ///< Waits for the image in work, drops the one that waits.
+  AsyncSegmenter(const AsyncSegmenter&) = delete;
+  AsyncSegmenter& operator=(const AsyncSegmenter&) = delete;
+
+  /// Returns at once. Keeps a reference to the pixels: do not change them before wait().
+  void submit(const cv::Mat& color_bgr, double stamp_s);
+
+  /// The result of the last submit(), once for each; throws what the segmenter threw. Throws std::logic_error when
+  /// nothing was submitted since.
+  [[nodiscard]] Segmenter::Result wait();
+
+  /// Segmenter::finish(), after all work is done.
+  void finish();
+
+  [[nodiscard]] const core::LabelSpace& labelSpace() const { return segmenter_->labelSpace(); }
+
+ private:
+  using Task = std::packaged_task<Segmenter::Result()>;
+  void work();
+
+  std::unique_ptr<Segmenter> segmenter_;
+  std::future<Segmenter::Result> result_;
+
+  std::mutex mutex_;  // of the two members that follow
+  Task pending_;
+  bool stopping_ = false;
+  std::condition_variable changed_;
+  std::thread worker_;
+};
+
+}  // namespace wardslam::segmentation

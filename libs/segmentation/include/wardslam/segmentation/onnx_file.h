@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace wardslam::segmentation {
+
+/// Shape of the first image-like ([batch, channels, height, width]) input that an ONNX file declares; a dimension the
+/// file leaves open is 0. cv::dnn knows it, but does not tell. Empty when there is none or the bytes are not ONNX.
+///
+/// Walks the protobuf message ModelProto by its field numbers, see onnx.proto: no more of it is needed here.
+[[nodiscard]] std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes);
+
+}  // namespace wardslam::segmentation

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "wardslam/segmentation/segmenter.h"
+#include "wardslam/segmentation/stamped_files.h"
+
+namespace wardslam::segmentation {
+
+struct RecordedMasksOptions {
+  std::string folder;
+  double tolerance_ms = 5.0;
+  int min_region_px = 100;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit);
+};
+
+/// Segmentation that was made before: a folder of class-id PNGs (8-bit, 0 = none) named by the stamp of the colour
+/// image. Instance ids come from the sibling folder instances/ (8- or 16-bit PNGs of the same names), or else from the
+/// regions of equal class; names from the sibling file classes.txt, where there is one, on top of COCO's.
+///
+/// Events: "segmentation.mask_missing" and "segmentation.mask_unreadable" (also: not 8-bit single-channel, other size
+/// than the image) with an empty result; "segmentation.instances_unreadable" where regions had to replace instances.
+class RecordedMasks : public Segmenter {
+ public:
+  /// So many images from the start without a usable mask, and the folder is taken to belong to another recording.
+  static constexpr std::size_t kPatience = 30;
+
+  /// `classesFile`: read in place of the sibling classes.txt when not empty. Throws core::InputError.
+  explicit RecordedMasks(const RecordedMasksOptions& options, const std::filesystem::path& classesFile = {});
+
+  [[nodiscard]] Result segment(const cv::Mat& color_bgr, double stamp_s) override;
+  void finish() override;
+  [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labelSpace_; }
+
+ private:
+  [[nodiscard]] cv::Mat readInstanceIds(const std::filesystem::path& maskFile, const cv::Mat& classIds,
+                                        core::EventCounts& events) const;
+  [[nodiscard]] Result miss(const char* event, const std::string& reason);
+  [[nodiscard]] std::string describeNoMatch(double stamp_s) const;
+
+  std::filesystem::path folder_;
+  std::filesystem::path instancesFolder_;  ///< Empty: there is none.
+  RecordedMasksOptions options_;
+  StampedFiles masks_;
+  core::LabelSpace labelSpace_;
+
+  bool usedAny_ = false;
+  std::size_t missesFromStart_ = 0;
+  std::string firstMiss_;
+};
+
+template <class Self, class Visitor>
+void RecordedMasksOptions::describe(Self& self, Visitor& visit) {
+  visit("folder", self.folder,
+        "class-id PNGs named by the stamp of the colour image; instances/ and classes.txt beside");
+  visit("tolerance", self.tolerance_ms, {0.0, 1000.0}, "ms", "how far the stamps of image and mask may differ");
+  visit("min_region", self.min_region_px, {1, 1000000}, "px",
+        "without instances/: smallest region of one class that counts as an instance");
+}
+
+}  // namespace wardslam::segmentation

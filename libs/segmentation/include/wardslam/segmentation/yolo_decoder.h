@@ -1,0 +1,55 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "wardslam/core/segmentation.h"
+#include "wardslam/segmentation/letterbox.h"
+
+namespace wardslam::segmentation {
+
+struct YoloDecoderOptions {
+  double confidence = 0.25;
+  double nms_iou = 0.45;
+  double mask_threshold = 0.5;
+  int max_instances = 100;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit);
+};
+
+/// How a YOLO-seg network lays out its detections. Anchor by anchor: centre x, y, width, height (input pixels),
+/// objectness (v5 only), one score per class, one coefficient per prototype.
+struct YoloLayout {
+  enum class Version { V5, V8 };  ///< V5: [1, anchors, values]; V8: [1, values, anchors], no objectness.
+
+  Version version = Version::V8;
+  int anchors = 0;
+  int classes = 0;
+  int prototypes = 0;
+
+  /// From the shapes of the two outputs; the prototypes are [1, count, height, width]. Empty when they are not those
+  /// of a segmentation network. There are always more anchors than values per anchor, which tells the versions apart.
+  [[nodiscard]] static std::optional<YoloLayout> fromShapes(const std::vector<int>& detections,
+                                                            const std::vector<int>& prototypes);
+};
+
+/// Turns the two output tensors (CV_32F) into a segmentation of the image: detections above the confidence threshold,
+/// non-maximum suppression per class, masks = sigmoid(coefficients x prototypes) inside each box, resampled linearly
+/// before the threshold. Class id = class index + 1. Instances are numbered from 1 by falling confidence; where they
+/// overlap the more confident one has the pixel, and one left without any is dropped.
+[[nodiscard]] core::Segmentation decodeYolo(const cv::Mat& detections, const cv::Mat& prototypes,
+                                            const YoloLayout& layout, const Letterbox& letterbox,
+                                            const YoloDecoderOptions& options);
+
+template <class Self, class Visitor>
+void YoloDecoderOptions::describe(Self& self, Visitor& visit) {
+  visit("confidence", self.confidence, {0.01, 1.0}, "", "detections below are dropped");
+  visit("nms_iou", self.nms_iou, {0.0, 1.0}, "", "of two boxes of one class that overlap more, the weaker is dropped");
+  visit("mask_threshold", self.mask_threshold, {0.01, 0.99}, "",
+        "probability from which a pixel belongs to an instance");
+  visit("max_instances", self.max_instances, {1, 1000}, "count", "most instances per image, the most confident first");
+}
+
+}  // namespace wardslam::segmentation

@@ -1,0 +1,53 @@
+#include "wardslam/segmentation/async_segmenter.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace wardslam::segmentation {
+
+AsyncSegmenter::AsyncSegmenter(std::unique_ptr<Segmenter> segmenter)
+    : segmenter_(std::move(segmenter)), worker_([this] { work(); }) {}
+
+AsyncSegmenter::~AsyncSegmenter() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_one();
+  worker_.join();
+}
+
+void AsyncSegmenter::submit(const cv::Mat& color_bgr, double stamp_s) {
+  Task task([this, color_bgr, stamp_s] { return segmenter_->segment(color_bgr, stamp_s); });
+  result_ = task.get_future();
+  {
+    const std::lock_guard lock(mutex_);
+    pending_ = std::move(task);
+  }
+  changed_.notify_one();
+}
+
+Segmenter::Result AsyncSegmenter::wait() {
+  if (!result_.valid()) throw std::logic_error("AsyncSegmenter::wait() without a submit() before it");
+  return result_.get();
+}
+
+void AsyncSegmenter::finish() {
+  if (result_.valid()) result_.wait();
+  segmenter_->finish();
+}
+
+void AsyncSegmenter::work() {
+  while (true) {
+    Task task;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return stopping_ || pending_.valid(); });
+      if (stopping_) return;
+      task = std::exchange(pending_, Task());
+    }
+    task();  // what it throws reaches wait() through the future
+  }
+}
+
+}  // namespace wardslam::segmentation

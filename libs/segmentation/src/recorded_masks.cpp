@@ -1,0 +1,118 @@
+#include "wardslam/segmentation/recorded_masks.h"
+
+#include <cstdio>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+
+#include "wardslam/core/errors.h"
+#include "wardslam/segmentation/instance_images.h"
+
+namespace wardslam::segmentation {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Absolute and without a trailing slash, so that it has a parent where the siblings are.
+fs::path normalised(const std::string& folder) {
+  if (folder.empty()) throw core::InputError("recorded masks need the folder that holds them (recorded_masks.folder)");
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+core::LabelSpace readLabelSpace(const fs::path& masksFolder, const fs::path& classesFile) {
+  if (!classesFile.empty()) return core::LabelSpace::cocoWith(classesFile);
+  const fs::path sibling = masksFolder.parent_path() / "classes.txt";
+  return fs::exists(sibling) ? core::LabelSpace::cocoWith(sibling) : core::LabelSpace::coco();
+}
+
+std::string sizeText(const cv::Mat& image) { return std::to_string(image.cols) + "x" + std::to_string(image.rows); }
+
+std::string stampText(double stamp_s) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6f", stamp_s);
+  return text;
+}
+
+// Empty when the file cannot be decoded.
+cv::Mat readImage(const fs::path& file) {
+  try {
+    return cv::imread(file.string(), cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+std::string notClassIds(const fs::path& file) {
+  return file.string() + ": not an 8-bit single-channel PNG; save class ids as grey values, 0 where there is none";
+}
+
+}  // namespace
+
+RecordedMasks::RecordedMasks(const RecordedMasksOptions& options, const fs::path& classesFile)
+    : folder_(normalised(options.folder)),
+      options_(options),
+      masks_(folder_, ".png"),
+      labelSpace_(readLabelSpace(folder_, classesFile)) {
+  const fs::path instances = folder_.parent_path() / "instances";
+  if (fs::is_directory(instances)) instancesFolder_ = instances;
+
+  // One file of the wrong kind means all are; one that is damaged does not.
+  const cv::Mat first = readImage(masks_.firstFile());
+  if (!first.empty() && first.type() != CV_8UC1) throw core::InputError(notClassIds(masks_.firstFile()));
+}
+
+Segmenter::Result RecordedMasks::segment(const cv::Mat& color_bgr, double stamp_s) {
+  const fs::path* file = masks_.nearest(stamp_s, options_.tolerance_ms * 1e-3);
+  if (file == nullptr) return miss("segmentation.mask_missing", describeNoMatch(stamp_s));
+
+  constexpr const char* kUnreadable = "segmentation.mask_unreadable";
+  const cv::Mat classIds = readImage(*file);
+  if (classIds.empty()) {
+    return miss(kUnreadable, file->string() + ": damaged or not a PNG; write the masks anew or leave this one out");
+  }
+  if (classIds.type() != CV_8UC1) return miss(kUnreadable, notClassIds(*file));
+  if (classIds.size() != color_bgr.size()) {
+    return miss(kUnreadable, file->string() + ": is " + sizeText(classIds) + ", but the image it belongs to is " +
+                                 sizeText(color_bgr) + "; give masks made from images of that size");
+  }
+  usedAny_ = true;
+  Result result;
+  result.segmentation.classIds = classIds;
+  result.segmentation.instanceIds = readInstanceIds(*file, classIds, result.events);
+  result.segmentation.instances = listInstances(classIds, result.segmentation.instanceIds);
+  return result;
+}
+
+void RecordedMasks::finish() {
+  if (!usedAny_ && missesFromStart_ > 0) throw core::InputError(firstMiss_);
+}
+
+cv::Mat RecordedMasks::readInstanceIds(const fs::path& maskFile, const cv::Mat& classIds,
+                                       core::EventCounts& events) const {
+  if (!instancesFolder_.empty()) {
+    cv::Mat ids = readImage(instancesFolder_ / maskFile.filename());
+    if (ids.type() == CV_8UC1) ids.convertTo(ids, CV_16U);
+    if (ids.type() == CV_16UC1 && ids.size() == classIds.size()) return ids;
+    ++events["segmentation.instances_unreadable"];
+  }
+  return labelRegions(classIds, options_.min_region_px);
+}
+
+Segmenter::Result RecordedMasks::miss(const char* event, const std::string& reason) {
+  if (!usedAny_) {
+    if (missesFromStart_++ == 0) firstMiss_ = reason;
+    if (missesFromStart_ >= kPatience) throw core::InputError(firstMiss_);
+  }
+  return {{}, {{event, 1}}};
+}
+
+std::string RecordedMasks::describeNoMatch(double stamp_s) const {
+  std::ostringstream sentence;
+  sentence << folder_.string() << ": no mask within " << options_.tolerance_ms << " ms of the first image ("
+           << stampText(stamp_s) << ") nor of those after it, as the masks run from "
+           << stampText(masks_.firstStamp_s()) << " to " << stampText(masks_.lastStamp_s())
+           << "; give the masks folder of this recording";
+  return sentence.str();
+}
+
+}  // namespace wardslam::segmentation

@@ -1,0 +1,17 @@
+#include "wardslam/segmentation/segmenter_factory.h"
+
+namespace wardslam::segmentation {
+
+std::unique_ptr<Segmenter> makeSegmenter(const SegmentationOptions& options) {
+  switch (options.type) {
+    case SegmentationOptions::Type::RecordedMasks:
+      return std::make_unique<RecordedMasks>(options.recorded_masks, options.classes);
+    case SegmentationOptions::Type::Yolo:
+      return std::make_unique<YoloSegmenter>(options.yolo, options.classes);
+    case SegmentationOptions::Type::None:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace wardslam::segmentation
