@@ -16,7 +16,7 @@ struct Keypoint {
   float depth_m = 0.0F;        ///< Depth along the optical axis; 0 = none measured.
   float angle_rad = 0.0F;      ///< Gray-centroid orientation, Eq. 5 (P5): atan2(m01, m10), image axes.
   float response = 0.0F;       ///< Corner strength, comparable within one image only.
-  std::uint8_t octave = 0;     ///< Level of the scale pyramid it was found on, 0 = full resolution.
+  float scale = 1.0F;          ///< Pixels of the full image per pixel of the pyramid level it was found on.
   Motion motion = Motion::Static;
 
   [[nodiscard]] bool hasDepth() const { return depth_m > 0.0F; }

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "wardslam/core/camera_model.h"
+#include "wardslam/core/keypoint.h"
+#include "wardslam/odometry/odometry_options.h"
+
+namespace wardslam::odometry {
+
+enum class State { Initialising, Ok, Lost };
+
+[[nodiscard]] std::string toString(State state);
+
+/// What tracking made of one image.
+struct OdometryResult {
+  State state = State::Initialising;
+  Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();  ///< Meaningful when state is Ok.
+  int matches = 0;                                              ///< Map points found in the image.
+  int inliers = 0;                                              ///< Of these, the ones the pose rests on.
+  bool isKeyframe = false;                                      ///< New points were added to the local map.
+
+  [[nodiscard]] bool hasPose() const { return state == State::Ok; }
+};
+
+/// RGB-D visual odometry on ORB key points against a local map of points. It sees key points that are static and
+/// nothing else: no class names, no networks.
+///
+/// Plain and single-threaded; the same input gives the same output.
+class Odometry {
+ public:
+  explicit Odometry(const OdometryOptions& options);
+  ~Odometry();
+  Odometry(Odometry&&) noexcept;
+  Odometry& operator=(Odometry&&) noexcept;
+
+  /// Finds the camera's pose from the static features of the next image. The map frame is the camera frame of the
+  /// first image that tracking could start from.
+  OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures);
+
+ private:
+  class Tracker;
+  std::unique_ptr<Tracker> tracker_;
+};
+
+}  // namespace wardslam::odometry

@@ -1,0 +1,83 @@
+#pragma once
+
+namespace wardslam::odometry {
+
+struct MatcherOptions {
+  double max_descriptor_distance = 80;
+  double max_ratio = 0.9;
+  double wide_radius_px = 15;
+  double narrow_radius_px = 4;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("max_descriptor_distance", self.max_descriptor_distance, {1.0, 256.0}, "bit",
+          "of 256 between ORB descriptors");
+    visit("max_ratio", self.max_ratio, {0.1, 1.0}, "", "best distance over second best, for a match to be clear");
+    visit("wide_radius_px", self.wide_radius_px, {1.0, 200.0}, "px", "search around the place predicted by motion");
+    visit("narrow_radius_px", self.narrow_radius_px, {1.0, 100.0}, "px", "search once the pose is roughly known");
+  }
+};
+
+struct PoseSolverOptions {
+  double pixel_sigma_px = 1.0;
+  double depth_sigma_scale = 1.0;
+  int max_iterations = 10;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("pixel_sigma_px", self.pixel_sigma_px, {0.1, 10.0}, "px", "noise of a key point on the finest level");
+    visit("depth_sigma_scale", self.depth_sigma_scale, {0.1, 100.0}, "", "times the Kinect's depth noise");
+    visit("max_iterations", self.max_iterations, {1, 100}, "count", "of the least-squares solver, per round");
+  }
+};
+
+struct LocalMapOptions {
+  int max_points = 20000;
+  double max_depth_m = 6.0;
+  double min_found_ratio = 0.25;
+  int max_fused = 30;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("max_points", self.max_points, {500, 1000000}, "count", "points kept; those unseen for longest go first");
+    visit("max_depth_m", self.max_depth_m, {0.5, 50.0}, "m", "farther key points make no map points");
+    visit("max_fused", self.max_fused, {1, 100000}, "count", "measurements of a point that refine its position");
+    visit("min_found_ratio", self.min_found_ratio, {0.0, 1.0}, "", "points found more rarely than this are dropped");
+  }
+};
+
+struct KeyframeOptions {
+  double min_tracked_fraction = 0.75;
+  int max_frame_gap = 30;
+  int min_new_points = 70;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("min_tracked_fraction", self.min_tracked_fraction, {0.1, 1.0}, "",
+          "of the last keyframe's points; a new keyframe comes below it");
+    visit("max_frame_gap", self.max_frame_gap, {1, 1000}, "frames", "at most between keyframes");
+    visit("min_new_points", self.min_new_points, {1, 10000}, "count", "a keyframe must add");
+  }
+};
+
+/// YAML section `odometry:`.
+struct OdometryOptions {
+  int min_initial_points = 80;
+  int min_inliers = 20;
+  MatcherOptions matcher;
+  PoseSolverOptions pose_solver;
+  LocalMapOptions local_map;
+  KeyframeOptions keyframes;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("min_initial_points", self.min_initial_points, {10, 10000}, "count", "key points with depth, to start");
+    visit("min_inliers", self.min_inliers, {6, 1000}, "count", "matched points a pose must rest on");
+    visit.group("matcher", self.matcher);
+    visit.group("pose_solver", self.pose_solver);
+    visit.group("local_map", self.local_map);
+    visit.group("keyframes", self.keyframes);
+  }
+};
+
+}  // namespace wardslam::odometry
