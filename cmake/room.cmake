@@ -18,6 +18,7 @@ function(wardslam_room room)
     EXPORT_NAME ${room} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
     POSITION_INDEPENDENT_CODE ON INSTALL_RPATH "$ORIGIN")
   install(TARGETS wardslam_${room} EXPORT wardslam-targets)
+  set_property(GLOBAL APPEND PROPERTY WARDSLAM_ROOMS ${room})
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 

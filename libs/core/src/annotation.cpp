@@ -11,9 +11,9 @@ void annotate(mrpt::obs::CObservation3DRangeScan& observation, const cv::Mat& la
   auto labels = std::make_shared<Labels>();
   labels->setSize(labelBits.rows, labelBits.cols);
   labels->pixelLabelNames = {{static_cast<std::uint32_t>(PixelLabel::Dynamic), "dynamic"},
-                               {static_cast<std::uint32_t>(PixelLabel::Movable), "movable"},
-                               {static_cast<std::uint32_t>(PixelLabel::Person), "person"},
-                               {static_cast<std::uint32_t>(PixelLabel::Thing), "thing"}};
+                             {static_cast<std::uint32_t>(PixelLabel::Movable), "movable"},
+                             {static_cast<std::uint32_t>(PixelLabel::Person), "person"},
+                             {static_cast<std::uint32_t>(PixelLabel::Thing), "thing"}};
   for (int row = 0; row < labelBits.rows; ++row) {
     const auto* bits = labelBits.ptr<std::uint8_t>(row);
     for (int col = 0; col < labelBits.cols; ++col) labels->pixelLabels(row, col) = bits[col];

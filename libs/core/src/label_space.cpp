@@ -1,6 +1,7 @@
 #include "wardslam/core/label_space.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <sstream>
 
@@ -52,7 +53,8 @@ LabelSpace LabelSpace::cocoWith(const std::filesystem::path& classesFile) {
     if (content.empty() || content.front() == '#') continue;
     std::istringstream fields(content);
     int id = 0;
-    if (!(fields >> id) || id < 1 || id > 255) fail(classesFile, number, "a class id from 1 to 255 is expected first");
+    const bool isNumber = (fields >> id) && (fields.eof() || std::isspace(fields.peek()) != 0);
+    if (!isNumber || id < 1 || id > 255) fail(classesFile, number, "a class id from 1 to 255 is expected first");
     std::string name;
     std::getline(fields, name);
     name = trimmed(name);

@@ -1,6 +1,9 @@
 #include "wardslam/core/options.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -16,6 +19,16 @@ std::string toText(T value) {
   text.precision(10);
   text << value;
   return text.str();
+}
+
+/// As short as toText() where that reads back to the same value, with all digits elsewhere.
+std::string toExactText(double value) {
+  std::string text = toText(value);
+  if (std::strtod(text.c_str(), nullptr) == value) return text;
+  std::ostringstream exact;
+  exact.precision(std::numeric_limits<double>::max_digits10);
+  exact << value;
+  return exact.str();
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -37,10 +50,11 @@ std::string quoted(const std::string& value) {
 
 }  // namespace
 
-ConfigNode::ConfigNode(YAML::Node node, std::filesystem::path file, std::string key)
-    : node_(std::move(node)), file_(std::move(file)), key_(std::move(key)) {}
+ConfigNode::ConfigNode(const YAML::Node& node, std::filesystem::path file, std::string key)
+    : node_(node), file_(std::move(file)), key_(std::move(key)) {}
 
 ConfigNode ConfigNode::fromFile(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file)) throw InputError(file.string() + ": is a folder; a YAML file is expected");
   try {
     return {YAML::LoadFile(file.string()), file};
   } catch (const YAML::BadFile&) {
@@ -82,12 +96,15 @@ void ConfigNode::fail(const std::string& what) const {
 void ConfigNode::requireKeys(const std::vector<std::string>& known) const {
   if (!exists()) return;
   if (!node_.IsMap()) fail("a mapping (key: value) is expected here");
+  std::set<std::string> seen;
   for (const auto& entry : node_) {
-    const auto key = entry.first.as<std::string>();
+    if (!entry.first.IsScalar()) ConfigNode(entry.first, file_, key_).fail("a plain name is expected as key");
+    const std::string& key = entry.first.Scalar();
+    const ConfigNode named(entry.first, file_, key_.empty() ? key : key_ + "." + key);
+    if (!seen.insert(key).second) named.fail("this key is given twice");
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const ConfigNode unknown(entry.first, file_, key_.empty() ? key : key_ + "." + key);
     const std::string nearest = nearestName(key, known);
-    unknown.fail("unknown key" + (nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?"));
+    named.fail("unknown key" + (nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?"));
   }
 }
 
@@ -139,7 +156,7 @@ void OptionWriter::operator()(const char* key, const int& value, Bounds<int> bou
 
 void OptionWriter::operator()(const char* key, const double& value, Bounds<double> bounds, const char* unit,
                               const char* help) {
-  line(key, toText(value), describeBounds(bounds, unit) + " " + help);
+  line(key, toExactText(value), describeBounds(bounds, unit) + " " + help);
 }
 
 void OptionWriter::operator()(const char* key, const bool& value, const char* help) {

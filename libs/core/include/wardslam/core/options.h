@@ -36,7 +36,7 @@ class ConfigNode {
  public:
   /// An empty mapping: every option keeps its default.
   ConfigNode() = default;
-  ConfigNode(YAML::Node node, std::filesystem::path file, std::string key = {});
+  ConfigNode(const YAML::Node& node, std::filesystem::path file, std::string key = {});
 
   /// Throw InputError naming the file, and the line where it is not YAML.
   [[nodiscard]] static ConfigNode fromFile(const std::filesystem::path& file);
@@ -54,7 +54,8 @@ class ConfigNode {
   /// Throws InputError: "<file>:<line>: <key>: <what>".
   [[noreturn]] void fail(const std::string& what) const;
 
-  /// Throws unless this is a mapping (or nothing) whose keys are all in `known`; names the nearest known key.
+  /// Throws unless this is a mapping (or nothing) whose keys are all in `known`, each given once;
+  /// names the nearest known key.
   void requireKeys(const std::vector<std::string>& known) const;
 
  private:

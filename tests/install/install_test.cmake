@@ -1,0 +1,25 @@
+# Run by CTest, see CMakeLists.txt beside it. LD_LIBRARY_PATH stays unset: what is installed must find its own parts.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  message(STATUS "${ARGN}\n${output}")
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "failed (${result}): ${ARGN}")
+  endif()
+endfunction()
+
+unset(ENV{LD_LIBRARY_PATH})
+unset(ENV{WARDSLAM_DATA_DIR})
+file(REMOVE_RECURSE ${WORK})
+string(REPLACE "," ";" rooms "${ROOMS}")
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/prefix "-D ROOMS=${rooms}"
+    -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_CXX_FLAGS=${CXX_FLAGS} -D WARDSLAM_VERSION=${VERSION})
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/consumer ${WORK}/prefix)
+
+# Installed programs start from their new place and find their libraries.
+file(GLOB programs ${WORK}/prefix/bin/*)
+foreach(program IN LISTS programs)
+  run(${program} --help)
+endforeach()
