@@ -1,0 +1,141 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli_test_support.h"
+#include "support/temporary_folder.h"
+
+namespace wardslam {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class EvalCommand : public ::testing::Test {
+ protected:
+  [[nodiscard]] static test::CommandResult eval(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "eval");
+    return test::runProgram("wardslam", arguments);
+  }
+
+  /// Exit code, nothing on standard output and one sentence on standard error.
+  static void expectError(const test::CommandResult& result, int exitCode, const std::string& part) {
+    EXPECT_EQ(result.exitCode, exitCode);
+    EXPECT_THAT(result.out, IsEmpty());
+    EXPECT_THAT(result.err, AllOf(StartsWith("wardslam: "), HasSubstr(part), EndsWith("\n")));
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+  }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    return folder.write(name, text).string();
+  }
+
+  test::TemporaryFolder folder;
+
+  // A cross, two of whose arms the estimate stretches by 0.1 m and two by 0.3 m: the best alignment is none, the
+  // errors are 0.1, 0.1, 0.3 and 0.3 m.
+  const std::string groundTruth = write("groundtruth.txt",
+                                        "0.0  1  0 0 0 0 0 1\n"
+                                        "0.1 -1  0 0 0 0 0 1\n"
+                                        "0.2  0  1 0 0 0 0 1\n"
+                                        "0.3  0 -1 0 0 0 0 1\n");
+  const std::string trajectory = write("trajectory.txt",
+                                       "0.0  1.1  0   0 0 0 0 1\n"
+                                       "0.1 -1.1  0   0 0 0 0 1\n"
+                                       "0.2  0    1.3 0 0 0 0 1\n"
+                                       "0.3  0   -1.3 0 0 0 0 1\n");
+};
+
+TEST_F(EvalCommand, PrintsATable) {
+  const auto result = eval({groundTruth, trajectory});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, IsEmpty());
+  EXPECT_EQ(result.out,
+            "                      rmse        mean      median         std         min         max   pairs\n"
+            "ATE [m]           0.223607    0.200000    0.200000    0.100000    0.100000    0.300000       4\n"
+            "RPE [m/s]                -           -           -           -           -           -       0\n"
+            "RPE [deg/s]              -           -           -           -           -           -       0\n"
+            "coverage          1.000000\n");
+}
+
+TEST_F(EvalCommand, PrintsJson) {
+  const auto result = eval({groundTruth, trajectory, "--json"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_NEAR(json.at("ate").at("mean").get<double>(), 0.2, 1e-12);
+  EXPECT_EQ(json.at("ate").at("pairs"), 4);
+  EXPECT_NEAR(json.at("coverage").get<double>(), 1.0, 1e-12);
+  EXPECT_EQ(json.at("rpe").at("pairs"), 0);
+  EXPECT_TRUE(json.at("rpe").at("rotation_deg_per_s").at("rmse").is_null()) << "too short for a figure per second";
+}
+
+TEST_F(EvalCommand, GivesDriftPerSecond) {
+  std::string still;
+  std::string sliding;
+  for (int i = 0; i <= 40; ++i) {
+    const double stamp_s = i / 8.0;
+    still += std::to_string(stamp_s) + " 0 0 0 0 0 0 1\n";
+    sliding += std::to_string(stamp_s) + " " + std::to_string(0.5 * stamp_s) + " 0 0 0 0 0 1\n";
+  }
+  const auto result = eval({"--json", write("still.txt", still), write("sliding.txt", sliding)});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const auto rpe = nlohmann::json::parse(result.out).at("rpe");
+  // A second is 8 of 41 poses: 32 have a partner before the last pose.
+  EXPECT_EQ(rpe.at("pairs"), 32);
+  for (const char* figure : {"rmse", "mean", "median", "min", "max"}) {
+    EXPECT_NEAR(rpe.at("translation_m_per_s").at(figure).get<double>(), 0.5, 1e-6) << figure;
+    EXPECT_NEAR(rpe.at("rotation_deg_per_s").at(figure).get<double>(), 0.0, 1e-5) << figure;
+  }
+}
+
+TEST_F(EvalCommand, TheImagesBesideTheGroundTruthTellHowLongTheRecordingIs) {
+  write("rgb.txt", "# color images\n0.1 a.png\n0.3 b.png\n0.7 c.png\n");
+  const auto result = eval({groundTruth, trajectory, "--json"});
+  EXPECT_NEAR(nlohmann::json::parse(result.out).at("coverage").get<double>(), 0.2 / 0.6, 1e-9);
+}
+
+TEST_F(EvalCommand, RefusesBadInput) {
+  expectError(eval({groundTruth, folder.path() / "none.txt"}), 1, "none.txt: cannot be opened");
+  expectError(eval({write("empty.txt", ""), trajectory}), 1, "empty.txt: holds no pose");
+  expectError(eval({groundTruth, write("words.txt", "0.0 1 0 0 0 0 0 1\n0.1 one 0 0 0 0 0 1\n")}), 1, "words.txt:2: ");
+  expectError(eval({groundTruth, write("one.txt", "0.0 1 0 0 0 0 0 1\n")}), 1, "there are 1");
+  const auto noOverlap = eval({groundTruth, write("later.txt", "9 0 0 0 0 0 0 1\n9.1 1 0 0 0 0 0 1\n")});
+  expectError(noOverlap, 1, "there are 0");
+  EXPECT_THAT(noOverlap.err, AllOf(HasSubstr("groundtruth.txt and "), HasSubstr("later.txt: ")));
+}
+
+TEST_F(EvalCommand, RefusesWrongUsage) {
+  expectError(eval({}), 2, "GROUNDTRUTH is required");
+  expectError(eval({groundTruth}), 2, "TRAJECTORY is required");
+  expectError(eval({groundTruth, trajectory, "--jsn"}), 2, "--jsn");
+  expectError(eval({groundTruth, trajectory, "third"}), 2, "third");
+}
+
+TEST(CommandLine, HelpAndVersionAreNoErrors) {
+  const auto help = test::runProgram("wardslam", {"--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("Usage: wardslam"), HasSubstr("eval")));
+  const auto evalHelp = test::runProgram("wardslam", {"eval", "--help"});
+  EXPECT_EQ(evalHelp.exitCode, 0);
+  EXPECT_THAT(evalHelp.out, HasSubstr("GROUNDTRUTH"));
+  const auto version = test::runProgram("wardslam", {"--version"});
+  EXPECT_EQ(version.exitCode, 0);
+  EXPECT_THAT(version.out, ::testing::MatchesRegex("wardslam [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(CommandLine, WithoutACommandIsWrongUsage) {
+  for (const auto& arguments : {std::vector<std::string>{}, {"evaluate"}}) {
+    const auto result = test::runProgram("wardslam", arguments);
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.err, HasSubstr("subcommand is required"));
+  }
+}
+
+}  // namespace
+}  // namespace wardslam
