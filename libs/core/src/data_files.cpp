@@ -1,5 +1,7 @@
 #include "wardslam/core/data_files.h"
 
+#include <dlfcn.h>
+
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -7,6 +9,18 @@
 #include "wardslam/core/errors.h"
 
 namespace wardslam::core {
+namespace {
+
+/// Found from where this library lies, so that an installation may be moved as a whole.
+std::filesystem::path installedDataFolder() {
+  static const char kPartOfThisLibrary = 0;
+  Dl_info library{};
+  if (dladdr(&kPartOfThisLibrary, &library) == 0 || library.dli_fname == nullptr) return {};
+  const auto folder = std::filesystem::path(library.dli_fname).parent_path();
+  return (folder / WARDSLAM_DATA_DIR_FROM_LIBRARY).lexically_normal();
+}
+
+}  // namespace
 
 std::filesystem::path findDataFile(const std::filesystem::path& name, const std::filesystem::path& referringFile) {
   if (name.is_absolute()) {
@@ -16,7 +30,7 @@ std::filesystem::path findDataFile(const std::filesystem::path& name, const std:
   std::vector<std::filesystem::path> folders;
   if (!referringFile.empty()) folders.push_back(referringFile.parent_path());
   if (const char* chosen = std::getenv("WARDSLAM_DATA_DIR")) folders.emplace_back(chosen);
-  folders.emplace_back(WARDSLAM_INSTALLED_DATA_DIR);
+  folders.push_back(installedDataFolder());
   folders.emplace_back(WARDSLAM_SOURCE_DATA_DIR);
 
   std::string tried;
