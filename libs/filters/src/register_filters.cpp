@@ -1,0 +1,13 @@
+#include "wardslam/filters/register_filters.h"
+
+#include "wardslam/filters/observation_filter.h"
+#include "wardslam/filters/semantic_dynamic_filter.h"
+
+namespace wardslam::filters {
+
+void registerAllFilters() {
+  mrpt::rtti::registerClass(CLASS_ID(ObservationFilter));
+  mrpt::rtti::registerClass(CLASS_ID(SemanticDynamicFilter));
+}
+
+}  // namespace wardslam::filters

@@ -1,0 +1,225 @@
+#include "wardslam/filters/semantic_dynamic_filter.h"
+
+#include <gmock/gmock.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include "filters/ward_fixture.h"
+#include "wardslam/core/annotation.h"
+
+namespace wardslam::filters {
+namespace {
+
+using core::bitOf;
+using core::Motion;
+using core::PixelLabel;
+using segmentation::Segmenter;
+using namespace ward;
+
+constexpr int kWidth = 80;
+constexpr int kHeight = 60;
+constexpr const char* kSmallSquare = "{n: 5, delta: 4, margin_px: 0}";
+
+void put(core::Segmentation& segmentation, core::ClassId c, cv::Rect box) {
+  const auto id = static_cast<std::uint16_t>(segmentation.instances.size() + 1);
+  segmentation.classIds(box).setTo(c);
+  segmentation.instanceIds(box).setTo(id);
+  segmentation.instances.push_back({id, c, 0.9F, box});
+}
+
+/// A person (columns 20–39) holds a cup (40–43), a chair stands beside (50–69), and a bed below all of it.
+Segmenter::Result wardScene() {
+  Segmenter::Result result;
+  result.segmentation.classIds = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(0));
+  result.segmentation.instanceIds = cv::Mat(kHeight, kWidth, CV_16UC1, cv::Scalar(0));
+  put(result.segmentation, kPerson, {20, 10, 20, 30});
+  put(result.segmentation, kCup, {40, 20, 4, 5});
+  put(result.segmentation, kChair, {50, 10, 20, 20});
+  put(result.segmentation, kBed, {0, 40, kWidth, 20});
+  return result;
+}
+
+core::Frame frameOf(std::vector<core::Keypoint> keypoints) {
+  core::Frame frame;
+  frame.stamp_s = 7.0;
+  frame.color_bgr = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(100));
+  frame.features.keypoints = std::move(keypoints);
+  frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
+  frame.observation->hasRangeImage = true;
+  frame.observation->rangeImage_setSize(kHeight, kWidth);
+  return frame;
+}
+
+class SemanticDynamicFilterTest : public testing::Test {
+ protected:
+  void configure(const std::string& parameters) {
+    filter_.initialize(core::ConfigNode::fromText(parameters), context(result_));
+  }
+
+  core::Frame run(std::vector<core::Keypoint> keypoints) {
+    core::Frame frame = frameOf(std::move(keypoints));
+    filter_.begin(frame);
+    filter_.apply(frame);
+    return frame;
+  }
+
+  std::shared_ptr<Segmenter::Result> result_ = std::make_shared<Segmenter::Result>(wardScene());
+  SemanticDynamicFilter filter_;
+};
+
+int labelsAt(const core::Frame& frame, int x, int y) {
+  using Labels = mrpt::obs::TPixelLabelInfo<1>;
+  const auto labels = std::dynamic_pointer_cast<Labels>(frame.observation->pixelLabels);
+  return labels ? labels->pixelLabels(y, x) : -1;
+}
+
+int confidenceAt(const core::Frame& frame, int x, int y) {
+  return frame.observation->confidenceImage.asCvMatRef().at<std::uint8_t>(y, x);
+}
+
+TEST_F(SemanticDynamicFilterTest, MarksPeopleAndWhatTheyHold) {
+  configure(kSmallSquare);
+  const core::Frame frame =
+      run({keypointAt(30, 20), keypointAt(41, 22), keypointAt(60, 20), keypointAt(30, 41), keypointAt(75, 5)});
+  const auto& keypoints = frame.features.keypoints;
+  EXPECT_EQ(keypoints[0].motion, Motion::Dynamic) << "person";
+  EXPECT_EQ(keypoints[1].motion, Motion::Dynamic) << "cup in the hand";
+  EXPECT_EQ(keypoints[2].motion, Motion::Static) << "chair ten pixels away";
+  EXPECT_EQ(keypoints[3].motion, Motion::Static) << "bed below the person";
+  EXPECT_EQ(keypoints[4].motion, Motion::Static) << "background";
+}
+
+TEST_F(SemanticDynamicFilterTest, HandsTheSegmentationAndItsEventsOn) {
+  configure(kSmallSquare);
+  result_->events["fake.trouble"] = 2;
+  const core::Frame frame = run({});
+  EXPECT_EQ(frame.segmentation.instances.size(), 4U);
+  EXPECT_EQ(cv::countNonZero(frame.segmentation.classIds != result_->segmentation.classIds), 0);
+  EXPECT_THAT(frame.events,
+              testing::UnorderedElementsAre(testing::Pair("fake.trouble", 2), testing::Pair("fake.stamp_7", 1)));
+}
+
+TEST_F(SemanticDynamicFilterTest, AppliesWithoutABeginToo) {
+  configure(kSmallSquare);
+  for (int i = 0; i < 2; ++i) {
+    core::Frame frame = frameOf({keypointAt(30, 20)});
+    filter_.apply(frame);
+    EXPECT_EQ(frame.features.keypoints[0].motion, Motion::Dynamic);
+  }
+}
+
+TEST_F(SemanticDynamicFilterTest, AMarginWidensPeopleOnly) {
+  const std::vector<core::Keypoint> around = {keypointAt(17, 20), keypointAt(16, 20), keypointAt(30, 42),
+                                              keypointAt(30, 43), keypointAt(42, 22), keypointAt(48, 20)};
+  configure("{n: 5, delta: 24, margin_px: 3}");
+  const auto keypoints = run(around).features.keypoints;
+  EXPECT_EQ(keypoints[0].motion, Motion::Dynamic) << "three pixels left of the person";
+  EXPECT_EQ(keypoints[1].motion, Motion::Static) << "four pixels left";
+  EXPECT_EQ(keypoints[2].motion, Motion::Dynamic) << "on the bed, three pixels below the person";
+  EXPECT_EQ(keypoints[3].motion, Motion::Static);
+  EXPECT_EQ(keypoints[4].motion, Motion::Dynamic) << "on the cup, within the margin";
+  EXPECT_EQ(keypoints[5].motion, Motion::Static) << "chairs are not widened";
+
+  configure("{n: 5, delta: 24, margin_px: 0}");
+  for (const auto& keypoint : run(around).features.keypoints) EXPECT_EQ(keypoint.motion, Motion::Static);
+}
+
+TEST_F(SemanticDynamicFilterTest, AMarginLeavesEachMoverItsOwnPixels) {
+  // A dog (the higher id) beside the person must not grow over him: it could not move the cup he holds.
+  put(result_->segmentation, kDog, {36, 10, 4, 30});
+  configure("{n: 3, delta: 2, margin_px: 2}");
+  EXPECT_EQ(run({keypointAt(43, 22)}).features.keypoints[0].motion, Motion::Static)
+      << "beside the dog, widened to column 41";
+  result_->segmentation.classIds(cv::Rect(36, 10, 4, 30)).setTo(kPerson);
+  EXPECT_EQ(run({keypointAt(42, 22)}).features.keypoints[0].motion, Motion::Dynamic);
+}
+
+TEST_F(SemanticDynamicFilterTest, AnnotatesPixelsByMeaning) {
+  configure(kSmallSquare);
+  const core::Frame frame = run({});
+  const int person = bitOf(PixelLabel::Person);
+  const int dynamic = bitOf(PixelLabel::Dynamic);
+  const int thing = bitOf(PixelLabel::Thing);
+  const int movable = bitOf(PixelLabel::Movable);
+  EXPECT_EQ(labelsAt(frame, 30, 20), person | dynamic);
+  EXPECT_EQ(labelsAt(frame, 41, 22), thing | movable | dynamic) << "cup in the hand";
+  EXPECT_EQ(labelsAt(frame, 43, 24), thing | movable | dynamic) << "all of the cup";
+  EXPECT_EQ(labelsAt(frame, 60, 20), thing | movable) << "chair nobody touches";
+  EXPECT_EQ(labelsAt(frame, 30, 50), thing) << "bed";
+  EXPECT_EQ(labelsAt(frame, 5, 5), 0);
+}
+
+TEST_F(SemanticDynamicFilterTest, AnnotatesTheConfidenceImage) {
+  configure(kSmallSquare);
+  const core::Frame frame = run({});
+  ASSERT_TRUE(frame.observation->hasConfidenceImage);
+  EXPECT_EQ(confidenceAt(frame, 30, 20), 0);
+  EXPECT_EQ(confidenceAt(frame, 41, 22), 0);
+  EXPECT_EQ(confidenceAt(frame, 60, 20), 255);
+  const cv::Mat image = frame.observation->confidenceImage.asCvMatRef();
+  EXPECT_EQ(image.size(), cv::Size(kWidth, kHeight));
+  EXPECT_EQ(cv::countNonZero(image == 0), 20 * 30 + 4 * 5) << "the person and the cup";
+}
+
+TEST_F(SemanticDynamicFilterTest, AThingIsDynamicAsAWholeOnceHalfOfItIs) {
+  // Within two pixels of the person lies half of a thing four pixels wide, and less of a wider one.
+  configure("{n: 5, delta: 0, margin_px: 0}");
+  EXPECT_EQ(labelsAt(run({}), 43, 22) & bitOf(PixelLabel::Dynamic), bitOf(PixelLabel::Dynamic));
+  put(result_->segmentation, kCup, {40, 20, 8, 5});
+  const core::Frame frame = run({});
+  EXPECT_EQ(labelsAt(frame, 40, 22) & bitOf(PixelLabel::Dynamic), 0);
+}
+
+TEST_F(SemanticDynamicFilterTest, WithoutInstancesOnlyMovingClassesAreDynamic) {
+  configure(kSmallSquare);
+  result_->segmentation.instances.clear();
+  result_->segmentation.instanceIds.release();
+  const core::Frame frame = run({keypointAt(41, 22)});
+  EXPECT_EQ(frame.features.keypoints[0].motion, Motion::Dynamic) << "the test on key points is not concerned";
+  EXPECT_EQ(cv::countNonZero(frame.observation->confidenceImage.asCvMatRef() == 0), 20 * 30);
+}
+
+TEST_F(SemanticDynamicFilterTest, DoesNotAnnotateUnlessItCan) {
+  configure("{annotate: false}");
+  EXPECT_EQ(labelsAt(run({}), 30, 20), -1);
+
+  configure("{annotate: true}");
+  core::Frame otherSize = frameOf({keypointAt(30, 20)});
+  otherSize.observation->rangeImage_setSize(kHeight / 2, kWidth / 2);
+  filter_.apply(otherSize);
+  EXPECT_EQ(labelsAt(otherSize, 30, 20), -1);
+  EXPECT_EQ(otherSize.events["filters.annotation_size"], 1U);
+  EXPECT_EQ(otherSize.features.keypoints[0].motion, Motion::Dynamic);
+
+  core::Frame withoutObservation = frameOf({keypointAt(30, 20)});
+  withoutObservation.observation = nullptr;
+  filter_.apply(withoutObservation);
+  EXPECT_EQ(withoutObservation.features.keypoints[0].motion, Motion::Dynamic);
+}
+
+TEST_F(SemanticDynamicFilterTest, WithoutMasksAllStaysStaticAndIsCounted) {
+  configure(kSmallSquare);
+  *result_ = {};
+  const core::Frame frame = run({keypointAt(30, 20)});
+  EXPECT_EQ(frame.features.keypoints[0].motion, Motion::Static);
+  EXPECT_EQ(frame.events.at("filters.no_segmentation"), 1U);
+  EXPECT_EQ(labelsAt(frame, 30, 20), -1);
+}
+
+TEST_F(SemanticDynamicFilterTest, MasksOfAnotherSizeCountAsNone) {
+  configure(kSmallSquare);
+  result_->segmentation.classIds = cv::Mat(10, 10, CV_8UC1, cv::Scalar(kPerson));
+  const core::Frame frame = run({keypointAt(5, 5)});
+  EXPECT_EQ(frame.features.keypoints[0].motion, Motion::Static);
+  EXPECT_TRUE(frame.segmentation.empty());
+  EXPECT_EQ(frame.events.at("filters.segmentation_size"), 1U);
+  EXPECT_EQ(frame.events.at("filters.no_segmentation"), 1U);
+}
+
+TEST_F(SemanticDynamicFilterTest, ABoxBeyondTheImageIsCut) {
+  configure(kSmallSquare);
+  result_->segmentation.instances[1].box_px = {-10, -10, 1000, 1000};
+  EXPECT_EQ(labelsAt(run({}), 30, 20), bitOf(PixelLabel::Person) | bitOf(PixelLabel::Dynamic));
+}
+
+}  // namespace
+}  // namespace wardslam::filters
