@@ -32,10 +32,10 @@ struct Evaluation {
   evaluation::RelativePoseError rpe;
 };
 
-/// When the recording began and ended: its images say so where they are listed beside the ground truth, which
+/// When the recording began and ended (UNIX s): its images say so where they are listed beside the ground truth, which
 /// often lasts longer than the images.
-std::pair<double, double> recordingTime_s(const std::filesystem::path& groundTruthFile,
-                                          const core::Trajectory& groundTruth) {
+std::pair<double, double> recordingSpan(const std::filesystem::path& groundTruthFile,
+                                        const core::Trajectory& groundTruth) {
   const std::filesystem::path images = groundTruthFile.parent_path() / "rgb.txt";
   if (!std::filesystem::exists(images)) return {groundTruth.front().stamp_s, groundTruth.back().stamp_s};
   const auto stamps_s = storage::readTumStamps(images);
@@ -45,7 +45,7 @@ std::pair<double, double> recordingTime_s(const std::filesystem::path& groundTru
 Evaluation evaluate(const EvalArguments& arguments) {
   const auto groundTruth = storage::readTumTrajectory(arguments.groundTruth);
   const auto trajectory = storage::readTumTrajectory(arguments.trajectory);
-  const auto [begin_s, end_s] = recordingTime_s(arguments.groundTruth, groundTruth);
+  const auto [begin_s, end_s] = recordingSpan(arguments.groundTruth, groundTruth);
   try {
     return {evaluation::absoluteTrajectoryError(groundTruth, trajectory),
             evaluation::coverage(trajectory, begin_s, end_s), evaluation::relativePoseError(groundTruth, trajectory)};

@@ -12,7 +12,7 @@ namespace {
 
 using IndexPair = std::pair<std::size_t, std::size_t>;
 
-double distance_s(const core::StampedPose& pose, double stamp_s) { return std::abs(pose.stamp_s - stamp_s); }
+double secondsApart(const core::StampedPose& pose, double stamp_s) { return std::abs(pose.stamp_s - stamp_s); }
 
 /// Index of the pose nearest in time; the trajectory must not be empty. Bisects as the benchmark's script does, not
 /// with std::lower_bound: which of two equally near poses is taken depends on the order of the visits.
@@ -22,7 +22,7 @@ std::size_t findNearest(const core::Trajectory& trajectory, double stamp_s) {
   std::size_t end = trajectory.size();
   while (begin < end) {
     const std::size_t middle = (begin + end) / 2;
-    if (distance_s(trajectory[middle], stamp_s) < distance_s(trajectory[best], stamp_s)) best = middle;
+    if (secondsApart(trajectory[middle], stamp_s) < secondsApart(trajectory[best], stamp_s)) best = middle;
     if (trajectory[middle].stamp_s == stamp_s) return middle;
     if (trajectory[middle].stamp_s > stamp_s) {
       end = middle;
@@ -53,7 +53,8 @@ std::vector<IndexPair> sampleOf(std::vector<IndexPair> pairs) {
   return sample;
 }
 
-double medianInterval_s(const core::Trajectory& trajectory) {
+/// Seconds between successive poses.
+double medianInterval(const core::Trajectory& trajectory) {
   std::vector<double> intervals_s;
   for (std::size_t i = 1; i < trajectory.size(); ++i) {
     intervals_s.push_back(trajectory[i].stamp_s - trajectory[i - 1].stamp_s);
@@ -62,7 +63,7 @@ double medianInterval_s(const core::Trajectory& trajectory) {
 }
 
 /// As the benchmark: acos of the trace, whose coarse steps near zero belong to the published figures.
-double angle_deg(const Eigen::Isometry3d& T) {
+double angleInDegrees(const Eigen::Isometry3d& T) {
   const double cosine = (T.linear().trace() - 1.0) / 2.0;
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / M_PI;
 }
@@ -76,19 +77,19 @@ Eigen::Isometry3d motion(const core::StampedPose& from, const core::StampedPose&
 RelativePoseError relativePoseError(const core::Trajectory& groundTruth, const core::Trajectory& estimate,
                                     double delta_s) {
   if (groundTruth.size() < 2) return {};
-  const double maxDifference_s = 2.0 * medianInterval_s(groundTruth);
+  const double maxDifference_s = 2.0 * medianInterval(groundTruth);
 
   std::vector<double> translations_m;
   std::vector<double> rotations_deg;
   for (const auto& [i, j] : sampleOf(pairsApart(estimate, delta_s))) {
     const core::StampedPose& true0 = groundTruth[findNearest(groundTruth, estimate[i].stamp_s)];
     const core::StampedPose& true1 = groundTruth[findNearest(groundTruth, estimate[j].stamp_s)];
-    if (distance_s(true0, estimate[i].stamp_s) > maxDifference_s) continue;
-    if (distance_s(true1, estimate[j].stamp_s) > maxDifference_s) continue;
+    if (secondsApart(true0, estimate[i].stamp_s) > maxDifference_s) continue;
+    if (secondsApart(true1, estimate[j].stamp_s) > maxDifference_s) continue;
 
     const Eigen::Isometry3d error = motion(estimate[i], estimate[j]).inverse() * motion(true0, true1);
     translations_m.push_back(error.translation().norm());
-    rotations_deg.push_back(angle_deg(error));
+    rotations_deg.push_back(angleInDegrees(error));
   }
   return {summarise(std::move(translations_m)), summarise(std::move(rotations_deg))};
 }

@@ -5,15 +5,15 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
-#include "wardslam/evaluation/absolute_trajectory_error.h"
-#include "wardslam/evaluation/relative_pose_error.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "cli_test_support.h"
 
-/// Our figures beside what the TUM benchmark's own scripts print for the same trajectories, digit by digit.
-namespace wardslam::evaluation {
+/// What `wardslam eval` says beside what the TUM benchmark's own scripts print for the same trajectories, digit by
+/// digit.
+namespace wardslam {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,30 +46,26 @@ std::string sixDigits(double value) {
   return text;
 }
 
-void addOurs(Figures& figures, const std::string& name, const ErrorStatistics& errors) {
-  figures[name + ".pairs"] = std::to_string(errors.samples);
-  figures[name + ".rmse"] = sixDigits(errors.rmse);
-  figures[name + ".mean"] = sixDigits(errors.mean);
-  figures[name + ".median"] = sixDigits(errors.median);
-  figures[name + ".std"] = sixDigits(errors.std);
-  figures[name + ".min"] = sixDigits(errors.min);
-  figures[name + ".max"] = sixDigits(errors.max);
+void addOurs(Figures& figures, const std::string& name, const nlohmann::json& errors, const nlohmann::json& pairs) {
+  figures[name + ".pairs"] = pairs.dump();
+  for (const char* figure : {"rmse", "mean", "median", "std", "min", "max"}) {
+    figures[name + "." + figure] = sixDigits(errors.at(figure).get<double>());
+  }
 }
 
-struct Comparison {
-  Figures ours;
-  RelativePoseError rpe;
-};
+nlohmann::json evaluate(const fs::path& groundTruth, const fs::path& estimate) {
+  const auto result = test::runProgram("wardslam", {"eval", "--json", groundTruth, estimate});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  return nlohmann::json::parse(result.out);
+}
 
-Comparison compute(const fs::path& groundTruthFile, const fs::path& estimateFile) {
-  const auto groundTruth = storage::readTumTrajectory(groundTruthFile);
-  const auto estimate = storage::readTumTrajectory(estimateFile);
-  Comparison result;
-  result.rpe = relativePoseError(groundTruth, estimate);
-  addOurs(result.ours, "absolute_translational_error", absoluteTrajectoryError(groundTruth, estimate).translation_m);
-  addOurs(result.ours, "translational_error", result.rpe.translation_m);
-  addOurs(result.ours, "rotational_error", result.rpe.rotation_deg);
-  return result;
+Figures ours(const nlohmann::json& evaluation) {
+  Figures figures;
+  const auto& rpe = evaluation.at("rpe");
+  addOurs(figures, "absolute_translational_error", evaluation.at("ate"), evaluation.at("ate").at("pairs"));
+  addOurs(figures, "translational_error", rpe.at("translation_m_per_s"), rpe.at("pairs"));
+  addOurs(figures, "rotational_error", rpe.at("rotation_deg_per_s"), rpe.at("pairs"));
+  return figures;
 }
 
 class PublishedFigures : public ::testing::TestWithParam<const char*> {
@@ -88,7 +84,7 @@ TEST_P(RgbdSlamRuns, AreEqualToTheDigit) {
   Figures published;
   addPublished(published, folder / "golden.txt", "== " + name);
   ASSERT_EQ(published.size(), 21U) << "three errors, seven figures each";
-  EXPECT_EQ(compute(folder / (name + "-groundtruth.txt"), folder / (name + "-rgbdslam.txt")).ours, published);
+  EXPECT_EQ(ours(evaluate(folder / (name + "-groundtruth.txt"), folder / (name + "-rgbdslam.txt"))), published);
 }
 
 TEST_P(DynaSlamRuns, AreEqualToTheDigit) {
@@ -99,10 +95,11 @@ TEST_P(DynaSlamRuns, AreEqualToTheDigit) {
   addPublished(published, folder / (name + "_rpe_0.txt"));
   ASSERT_EQ(published.size(), 21U) << "three errors, seven figures each";
 
-  auto [ours, rpe] = compute(kTrajectories / "groundtruth_fr3" / (name + ".txt"), folder / "CameraTrajectory_0.txt");
+  auto evaluation = evaluate(kTrajectories / "groundtruth_fr3" / (name + ".txt"), folder / "CameraTrajectory_0.txt");
   // The script of that time printed the median rotation in radians, labelled degrees.
-  ours["rotational_error.median"] = sixDigits(rpe.rotation_deg.median * M_PI / 180.0);
-  EXPECT_EQ(ours, published);
+  auto& median = evaluation.at("rpe").at("rotation_deg_per_s").at("median");
+  median = median.get<double>() * M_PI / 180.0;
+  EXPECT_EQ(ours(evaluation), published);
 }
 
 const auto nameOf = [](const ::testing::TestParamInfo<const char*>& info) { return std::string(info.param); };
@@ -114,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(, DynaSlamRuns,
                          nameOf);
 
 }  // namespace
-}  // namespace wardslam::evaluation
+}  // namespace wardslam
