@@ -1,8 +1,11 @@
 #include "wardslam/segmentation/recorded_masks.h"
 
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
+#include <vector>
 
 #include "wardslam/core/errors.h"
 #include "wardslam/segmentation/instance_images.h"
@@ -33,10 +36,13 @@ std::string stampText(double stamp_s) {
   return text;
 }
 
-// Empty when the file cannot be decoded.
+// Empty when the file is missing (which cv::imread would print) or cannot be decoded.
 cv::Mat readImage(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+  if (bytes.empty()) return {};
   try {
-    return cv::imread(file.string(), cv::IMREAD_UNCHANGED);
+    return cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception&) {
     return {};
   }
@@ -62,8 +68,8 @@ RecordedMasks::RecordedMasks(const RecordedMasksOptions& options, const fs::path
 }
 
 Segmenter::Result RecordedMasks::segment(const cv::Mat& color_bgr, double stamp_s) {
-  const fs::path* file = masks_.nearest(stamp_s, options_.tolerance_ms * 1e-3);
-  if (file == nullptr) return miss("segmentation.mask_missing", describeNoMatch(stamp_s));
+  const auto file = masks_.nearest(stamp_s, options_.tolerance_ms * 1e-3);
+  if (!file) return miss("segmentation.mask_missing", describeNoMatch(stamp_s));
 
   constexpr const char* kUnreadable = "segmentation.mask_unreadable";
   const cv::Mat classIds = readImage(*file);

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <system_error>
 
@@ -54,7 +53,7 @@ StampedFiles::StampedFiles(const std::filesystem::path& folder, const std::files
   });
 }
 
-const std::filesystem::path* StampedFiles::nearest(double stamp_s, double tolerance_s) const {
+std::optional<std::filesystem::path> StampedFiles::nearest(double stamp_s, double tolerance_s) const {
   const std::int64_t stamp_us = toMicroseconds(stamp_s);
   const auto distance_us = [&](const File& file) { return std::abs(file.stamp_us - stamp_us); };
   auto found = std::lower_bound(files_.begin(), files_.end(), stamp_us,
@@ -62,7 +61,8 @@ const std::filesystem::path* StampedFiles::nearest(double stamp_s, double tolera
   if (found == files_.end() || (found != files_.begin() && distance_us(*std::prev(found)) < distance_us(*found))) {
     --found;
   }
-  return distance_us(*found) <= toMicroseconds(tolerance_s) ? &found->path : nullptr;
+  if (distance_us(*found) > toMicroseconds(tolerance_s)) return std::nullopt;
+  return found->path;
 }
 
 double StampedFiles::firstStamp_s() const { return static_cast<double>(files_.front().stamp_us) * 1e-6; }

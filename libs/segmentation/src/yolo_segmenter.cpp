@@ -41,15 +41,21 @@ std::string readBytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Old versions of OpenCV do not know every operation that exporters write.
-std::string explainLoadFailure(const std::string& message) {
-  std::smatch node;
-  if (!std::regex_search(message, node, std::regex(R"(Node \[([^@\]]+)[^\]]*\]:\(([^)]*)\))"))) {
-    return "not a complete ONNX file; download or export it again";
+constexpr const char* kAdvice =
+    "; official YOLOv8-seg exports need OpenCV 4.7 or newer and opset=12, YOLOv5-seg exports (export.py --include onnx "
+    "--opset 12) run on OpenCV 4.6 too";
+
+std::string explainLoadFailure(const cv::Exception& error) {
+  const std::string message = error.what();
+  for (const char* damage : {"Failed to parse", "has_graph"}) {
+    if (message.find(damage) != std::string::npos) return "not a complete ONNX file; download or export it again";
   }
-  return "OpenCV " CV_VERSION " cannot load its operation " + node[1].str() + " (" + node[2].str() +
-         "), as is the case with official YOLOv8-seg exports before OpenCV 4.7; build with OpenCV 4.7 or newer, or "
-         "use a YOLOv5-seg export (export.py --include onnx --opset 12 --imgsz 256 320)";
+  std::smatch node;
+  const std::regex inMessage(R"(Node \[([^@\]]+)[^\]]*\]:\((?:onnx_node!)?([^)]*)\))");
+  const bool isKnown = std::regex_search(message, node, inMessage);
+  const std::string what =
+      isKnown ? "its operation " + node[1].str() + " (" + node[2].str() + ")" : "it (" + error.err + ")";
+  return "OpenCV " CV_VERSION " cannot load " + what + kAdvice;
 }
 
 cv::dnn::Net loadNet(const fs::path& file, const std::string& bytes) {
@@ -57,7 +63,7 @@ cv::dnn::Net loadNet(const fs::path& file, const std::string& bytes) {
   try {
     return cv::dnn::readNetFromONNX(bytes.data(), bytes.size());
   } catch (const cv::Exception& error) {
-    fail(file, explainLoadFailure(error.what()));
+    fail(file, explainLoadFailure(error));
   }
 }
 
@@ -126,7 +132,7 @@ class YoloSegmenter::Network {
       const SilentOpenCv silence;
       outputs = forward(cv::Mat(input_px_, CV_8UC3, cv::Scalar::all(0)));
     } catch (const cv::Exception& error) {
-      fail(file, "OpenCV " CV_VERSION " loads but cannot run it (" + error.err + "); try another export or OpenCV");
+      fail(file, "OpenCV " CV_VERSION " cannot run it (" + error.err + ")" + kAdvice);
     }
     if (outputs.size() == 2) {
       detectionsIndex_ = outputs[0].dims == 3 ? 0 : 1;

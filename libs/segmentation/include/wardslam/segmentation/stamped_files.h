@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace wardslam::segmentation {
@@ -13,9 +14,9 @@ class StampedFiles {
   /// out. Throws core::InputError when the folder cannot be read or nothing is left.
   StampedFiles(const std::filesystem::path& folder, const std::filesystem::path& extension);
 
-  /// The file whose stamp is nearest to `stamp_s`, compared in whole microseconds; null when none is within
+  /// The file whose stamp is nearest to `stamp_s`, compared in whole microseconds; empty when none is within
   /// `tolerance_s`.
-  [[nodiscard]] const std::filesystem::path* nearest(double stamp_s, double tolerance_s) const;
+  [[nodiscard]] std::optional<std::filesystem::path> nearest(double stamp_s, double tolerance_s) const;
 
   [[nodiscard]] std::size_t size() const { return files_.size(); }
   [[nodiscard]] double firstStamp_s() const;

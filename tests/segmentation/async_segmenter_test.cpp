@@ -1,0 +1,153 @@
+#include "wardslam/segmentation/async_segmenter.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <vector>
+
+#include "wardslam/core/errors.h"
+
+namespace wardslam::segmentation {
+namespace {
+
+/// What a FakeSegmenter was asked for; outlives it.
+struct Log {
+  std::vector<double> stamps_s;  ///< Written by the worker; read after wait() or destruction only.
+  std::atomic<int> finished{0};
+  std::atomic<bool> begun{false};
+};
+
+/// Class id = first blue value of the image. Negative stamps throw. Where a gate is given, every image waits for it.
+class FakeSegmenter : public Segmenter {
+ public:
+  explicit FakeSegmenter(Log& log, std::shared_future<void> gate = {}) : log_(log), gate_(std::move(gate)) {}
+
+  Result segment(const cv::Mat& color_bgr, double stamp_s) override {
+    log_.begun = true;
+    if (gate_.valid()) gate_.wait();
+    log_.stamps_s.push_back(stamp_s);
+    if (stamp_s < 0.0) throw core::InputError("no such time");
+    Result result;
+    result.segmentation.classIds = cv::Mat(color_bgr.size(), CV_8UC1, cv::Scalar(color_bgr.at<cv::Vec3b>(0, 0)[0]));
+    return result;
+  }
+  void finish() override { ++log_.finished; }
+  const core::LabelSpace& labelSpace() const override { return labelSpace_; }
+
+ private:
+  Log& log_;
+  std::shared_future<void> gate_;
+  core::LabelSpace labelSpace_ = core::LabelSpace::coco();
+};
+
+cv::Mat imageOf(int value) { return {4, 4, CV_8UC3, cv::Scalar::all(value)}; }
+
+int classOf(const Segmenter::Result& result) { return result.segmentation.classIds.at<core::ClassId>(0, 0); }
+
+void waitUntil(const std::atomic<bool>& condition) {
+  while (!condition) std::this_thread::yield();
+}
+
+TEST(AsyncSegmenter, GivesTheResultOfEachImage) {
+  Log log;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
+  EXPECT_EQ(async.labelSpace().name(1), "person");
+  for (int i = 1; i <= 50; ++i) {
+    async.submit(imageOf(i), i);
+    EXPECT_EQ(classOf(async.wait()), i);
+  }
+  EXPECT_EQ(log.stamps_s.size(), 50U);
+}
+
+TEST(AsyncSegmenter, SubmitDoesNotWait) {
+  Log log;
+  std::promise<void> gate;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
+  async.submit(imageOf(3), 1.0);  // would never return if it waited
+  gate.set_value();
+  EXPECT_EQ(classOf(async.wait()), 3);
+}
+
+TEST(AsyncSegmenter, KeepsOnlyTheNewestOfTheImagesThatWait) {
+  Log log;
+  std::promise<void> gate;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
+  async.submit(imageOf(1), 1.0);
+  waitUntil(log.begun);
+  for (int i = 2; i <= 9; ++i) async.submit(imageOf(i), i);
+  gate.set_value();
+  EXPECT_EQ(classOf(async.wait()), 9);
+  EXPECT_EQ(log.stamps_s, (std::vector<double>{1.0, 9.0}));
+}
+
+TEST(AsyncSegmenter, SharesThePixels) {
+  Log log;
+  std::promise<void> gate;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
+  cv::Mat image = imageOf(1);
+  async.submit(image, 1.0);
+  image.setTo(8);
+  gate.set_value();
+  EXPECT_EQ(classOf(async.wait()), 8);
+}
+
+TEST(AsyncSegmenter, RethrowsInTheCallerAndGoesOn) {
+  Log log;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
+  async.submit(imageOf(1), -1.0);
+  EXPECT_THROW((void)async.wait(), core::InputError);
+  async.submit(imageOf(2), 2.0);
+  EXPECT_EQ(classOf(async.wait()), 2);
+}
+
+TEST(AsyncSegmenter, HasNoResultWithoutAnImage) {
+  Log log;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
+  EXPECT_THROW((void)async.wait(), std::logic_error);
+  async.submit(imageOf(1), 1.0);
+  (void)async.wait();
+  EXPECT_THROW((void)async.wait(), std::logic_error);
+}
+
+TEST(AsyncSegmenter, FinishesAfterTheLastImage) {
+  Log log;
+  std::promise<void> gate;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
+  async.submit(imageOf(1), 1.0);
+  auto opened = std::async(std::launch::async, [&] {
+    EXPECT_EQ(log.finished, 0);
+    gate.set_value();
+  });
+  async.finish();
+  EXPECT_EQ(log.finished, 1);
+  EXPECT_EQ(log.stamps_s.size(), 1U);
+  EXPECT_EQ(classOf(async.wait()), 1);
+}
+
+TEST(AsyncSegmenter, EndsWithWorkPending) {
+  Log log;
+  std::promise<void> gate;
+  {
+    AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
+    async.submit(imageOf(1), 1.0);
+    waitUntil(log.begun);
+    async.submit(imageOf(2), 2.0);
+    gate.set_value();
+  }
+  // The image in work was done; whether the worker took the second before it was told to stop is left open.
+  ASSERT_GE(log.stamps_s.size(), 1U);
+  EXPECT_EQ(log.stamps_s.front(), 1.0);
+  EXPECT_EQ(log.finished, 0);
+}
+
+TEST(AsyncSegmenter, EndsWithoutWork) {
+  for (int i = 0; i < 100; ++i) {
+    Log log;
+    const AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
+  }
+}
+
+}  // namespace
+}  // namespace wardslam::segmentation

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wardslam::test {
+
+/// Just enough of ONNX's protobuf format to write networks of a few operations by hand. Field numbers: onnx.proto.
+class OnnxWriter {
+ public:
+  /// A dimension of 0 is left open.
+  void addInput(const std::string& name, const std::vector<std::uint64_t>& shape) {
+    graph_ += bytes(11, valueInfo(name, shape));
+  }
+  void addOutput(const std::string& name) { graph_ += bytes(12, valueInfo(name, {})); }
+
+  void addConstant(const std::string& name, const std::vector<std::uint64_t>& shape, const std::vector<float>& values) {
+    std::string tensor;
+    for (const auto size : shape) tensor += number(1, size);
+    tensor += number(2, kFloat) + bytes(8, name);
+    tensor += bytes(9, std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)));
+    graph_ += bytes(5, tensor);
+  }
+
+  void addNode(const std::string& operation, const std::string& name, const std::vector<std::string>& inputs,
+               const std::string& output) {
+    std::string node;
+    for (const auto& input : inputs) node += bytes(1, input);
+    graph_ += bytes(1, node + bytes(2, output) + bytes(3, name) + bytes(4, operation));
+  }
+
+  /// The file: IR version 7, operator set 12.
+  [[nodiscard]] std::string model() const {
+    return number(1, 7) + bytes(7, graph_ + bytes(2, "graph")) + bytes(8, number(2, 12));
+  }
+
+ private:
+  static constexpr std::uint64_t kFloat = 1;
+
+  static std::string varint(std::uint64_t value) {
+    std::string text;
+    for (; value > 127; value >>= 7U) text += static_cast<char>((value & 127U) | 128U);
+    return text + static_cast<char>(value);
+  }
+  static std::string number(std::uint64_t field, std::uint64_t value) { return varint(field << 3U) + varint(value); }
+  static std::string bytes(std::uint64_t field, const std::string& content) {
+    return varint((field << 3U) | 2U) + varint(content.size()) + content;
+  }
+  static std::string valueInfo(const std::string& name, const std::vector<std::uint64_t>& shape) {
+    std::string dimensions;
+    for (const auto size : shape) dimensions += bytes(1, size > 0 ? number(1, size) : bytes(2, "open"));
+    return bytes(1, name) + bytes(2, bytes(1, number(1, kFloat) + bytes(2, dimensions)));
+  }
+
+  std::string graph_;
+};
+
+}  // namespace wardslam::test

@@ -1,0 +1,85 @@
+#include "wardslam/segmentation/segmenter_factory.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "support/temporary_folder.h"
+#include "wardslam/core/errors.h"
+#include "wardslam/core/options.h"
+
+namespace wardslam::segmentation {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+using Type = SegmentationOptions::Type;
+
+SegmentationOptions parse(const std::string& text) {
+  SegmentationOptions options;
+  core::readOptions(core::ConfigNode::fromText(text), options);
+  return options;
+}
+
+TEST(SegmenterFactory, MakesNothingByDefault) { EXPECT_EQ(makeSegmenter({}), nullptr); }
+
+TEST(SegmenterFactory, MakesRecordedMasks) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(cv::imwrite((folder.path() / "1.000000.png").string(), cv::Mat(4, 4, CV_8UC1, cv::Scalar(0))));
+  SegmentationOptions options;
+  options.type = Type::RecordedMasks;
+  options.recorded_masks.folder = folder.path().string();
+  options.classes = folder.write("names.txt", "102 trolley\n").string();
+  const auto segmenter = makeSegmenter(options);
+  ASSERT_NE(dynamic_cast<RecordedMasks*>(segmenter.get()), nullptr);
+  EXPECT_EQ(segmenter->labelSpace().name(102), "trolley");
+}
+
+TEST(SegmenterFactory, PassesSetUpErrorsOn) {
+  SegmentationOptions options;
+  options.type = Type::Yolo;
+  options.yolo.model = "/no/such/model.onnx";
+  EXPECT_THAT([&] { (void)makeSegmenter(options); }, ThrowsMessage<core::InputError>(HasSubstr("/no/such/model.onnx")));
+  options.type = Type::RecordedMasks;
+  options.recorded_masks.folder = "/no/such/folder";
+  EXPECT_THAT([&] { (void)makeSegmenter(options); }, ThrowsMessage<core::InputError>(HasSubstr("/no/such/folder")));
+}
+
+TEST(SegmentationOptions, AreReadFromYaml) {
+  const auto options = parse(
+      "type: yolo\n"
+      "classes: names.txt\n"
+      "recorded_masks: {folder: masks, tolerance: 2, min_region: 50}\n"
+      "yolo: {model: net.onnx, confidence: 0.4, nms_iou: 0.6, mask_threshold: 0.3, max_instances: 7}\n");
+  EXPECT_EQ(options.type, Type::Yolo);
+  EXPECT_EQ(options.classes, "names.txt");
+  EXPECT_EQ(options.recorded_masks.folder, "masks");
+  EXPECT_EQ(options.recorded_masks.tolerance_ms, 2.0);
+  EXPECT_EQ(options.recorded_masks.min_region_px, 50);
+  EXPECT_EQ(options.yolo.model, "net.onnx");
+  EXPECT_EQ(options.yolo.decoder.confidence, 0.4);
+  EXPECT_EQ(options.yolo.decoder.nms_iou, 0.6);
+  EXPECT_EQ(options.yolo.decoder.mask_threshold, 0.3);
+  EXPECT_EQ(options.yolo.decoder.max_instances, 7);
+}
+
+TEST(SegmentationOptions, SurviveWritingAndReading) {
+  SegmentationOptions options;
+  options.type = Type::RecordedMasks;
+  options.recorded_masks.folder = "some folder/masks";
+  options.yolo.decoder.confidence = 0.31;
+  const auto again = parse(core::writeOptions(options));
+  EXPECT_EQ(again.type, options.type);
+  EXPECT_EQ(again.recorded_masks.folder, options.recorded_masks.folder);
+  EXPECT_EQ(again.yolo.decoder.confidence, options.yolo.decoder.confidence);
+}
+
+TEST(SegmentationOptions, RefuseMisspeltAndWildValues) {
+  EXPECT_THAT([] { parse("type: yolov8\n"); }, ThrowsMessage<core::InputError>(HasSubstr("yolo")));
+  EXPECT_THAT([] { parse("yolo: {confidense: 0.5}\n"); }, ThrowsMessage<core::InputError>(HasSubstr("confidence")));
+  EXPECT_THAT([] { parse("yolo: {confidence: 1.5}\n"); }, ThrowsMessage<core::InputError>(HasSubstr("confidence")));
+}
+
+}  // namespace
+}  // namespace wardslam::segmentation
