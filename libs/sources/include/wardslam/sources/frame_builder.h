@@ -7,16 +7,25 @@
 
 namespace wardslam::sources {
 
-/// Turns observations into frames: grey image, depth in metres, and depth registered to the colour image where the
-/// observation says that the two cameras do not coincide.
+/// Turns observations into frames: colour and grey image, and depth in metres, registered to the colour image where
+/// the observation says that the two cameras do not coincide.
 class FrameBuilder {
  public:
-  /// Keeps a reference to the observation in Frame::observation. Throws core::InputError when image and range
-  /// image are missing, empty or of sizes that do not belong together.
+  FrameBuilder();
+  ~FrameBuilder();
+  FrameBuilder(FrameBuilder&&) noexcept;
+  FrameBuilder& operator=(FrameBuilder&&) noexcept;
+
+  /// Keeps a reference to the observation in Frame::observation; the colour image shares its memory. Depth that is
+  /// farther than any such camera can see becomes 0. Throws core::FrameError when image or range image are missing,
+  /// or have no calibration or not the size that it says.
   [[nodiscard]] core::Frame build(std::shared_ptr<mrpt::obs::CObservation3DRangeScan> observation);
 
  private:
+  class DepthConverter;
+
   std::uint64_t nextIndex_ = 0;
+  std::unique_ptr<DepthConverter> depthConverter_;
 };
 
 }  // namespace wardslam::sources

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "wardslam/core/camera_model.h"
 #include "wardslam/core/event_counts.h"
 
 namespace mrpt::obs {
@@ -21,25 +20,28 @@ class ObservationSource {
   virtual ~ObservationSource() = default;
 
   /// The next observation with both an intensity image and a range image, or null at the end. An observation that
-  /// cannot be read is skipped, counted in damage() and told to the warning sink.
+  /// cannot be read is skipped, counted in damage() and, the first time of each kind, told to the warning sink.
   [[nodiscard]] virtual std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() = 0;
 
   /// How many observations there are to come at the start, where that is known beforehand.
   [[nodiscard]] virtual std::optional<std::size_t> size() const = 0;
 
-  /// Unreadable input met so far, by kind ("sources.image_unreadable"). Empty: all was well.
+  /// Unreadable input met so far, by kind ("sources.image_missing"). Empty: all was well.
   [[nodiscard]] virtual const core::EventCounts& damage() const = 0;
 };
 
-/// Receives one sentence about survived trouble; the program decides where it goes.
+/// Receives one sentence about survived trouble; the program decides where it goes. Called from the thread that
+/// calls openSource() or next().
 using WarningSink = std::function<void(const std::string&)>;
 
 struct SourceOptions {
-  std::optional<core::CameraModel> camera;  ///< Replaces the calibration that comes with the observations.
+  std::optional<std::filesystem::path> camera;  ///< Camera file: replaces the calibration of the recording.
   WarningSink warn = [](const std::string&) {};
 };
 
-/// Opens a TUM folder or a .rawlog file, told apart by what the path is. Throws core::InputError.
+/// Opens a TUM folder or a .rawlog file, told apart by what the path is, and decodes images ahead in a thread of its
+/// own. Throws core::InputError. MRPT resolves external images of a rawlog through one process-wide folder, which
+/// this sets: only one rawlog with external images can be open at a time.
 [[nodiscard]] std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input,
                                                             const SourceOptions& options);
 

@@ -1,0 +1,19 @@
+#include "wardslam/core/errors.h"
+#include "wardslam/sources/observation_source.h"
+#include "wardslam/sources/prefetching_source.h"
+#include "wardslam/sources/rawlog_source.h"
+#include "wardslam/sources/tum_folder_source.h"
+
+namespace wardslam::sources {
+
+std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input, const SourceOptions& options) {
+  if (!std::filesystem::exists(input)) throw core::InputError(input.string() + ": no such file or folder");
+  const auto open = [&](WarningSink warn) -> std::unique_ptr<ObservationSource> {
+    const SourceOptions innerOptions{options.camera, std::move(warn)};
+    if (std::filesystem::is_directory(input)) return std::make_unique<TumFolderSource>(input, innerOptions);
+    return std::make_unique<RawlogSource>(input, innerOptions);
+  };
+  return std::make_unique<PrefetchingSource>(open, options.warn);
+}
+
+}  // namespace wardslam::sources

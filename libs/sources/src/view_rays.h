@@ -1,0 +1,12 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "wardslam/core/camera_model.h"
+
+namespace wardslam::sources {
+
+/// For each raw pixel the point (x, y, 1) at depth one on its view ray, lens distortion removed: CV_32FC2 of (x, y).
+[[nodiscard]] cv::Mat viewRays(const core::CameraModel& camera);
+
+}  // namespace wardslam::sources

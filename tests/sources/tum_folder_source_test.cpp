@@ -1,0 +1,217 @@
+#include "wardslam/sources/tum_folder_source.h"
+
+#include <gmock/gmock.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include "sources/tum_folder_writer.h"
+#include "wardslam/core/errors.h"
+#include "wardslam/core/mrpt_compat.h"
+
+namespace wardslam::sources {
+namespace {
+
+using test::TumFolder;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Pair;
+using ::testing::ThrowsMessage;
+
+cv::Mat colorOf(const mrpt::obs::CObservation3DRangeScan& scan) { return scan.intensityImage.asCvMatRef(); }
+
+cv::Mat depthOf(mrpt::obs::CObservation3DRangeScan& scan) {
+  return {static_cast<int>(scan.rangeImage.rows()), static_cast<int>(scan.rangeImage.cols()), CV_16UC1,
+          scan.rangeImage.data()};
+}
+
+double difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
+
+/// Reads to the end; which frames came, what was warned of.
+struct Reading {
+  explicit Reading(const std::filesystem::path& folder) {
+    SourceOptions options;
+    options.warn = [this](const std::string& sentence) { warnings.push_back(sentence); };
+    TumFolderSource source(folder, options);
+    while (const auto scan = source.next()) stamps_s.push_back(core::fromMrptTime(scan->timestamp));
+    damage = source.damage();
+  }
+  std::vector<double> stamps_s;
+  std::vector<std::string> warnings;
+  core::EventCounts damage;
+};
+
+TEST(TumFolderSource, DeliversEveryPairAsAnMrptObservation) {
+  const TumFolder folder(3);
+  TumFolderSource source(folder.path(), {});
+  EXPECT_EQ(source.size(), 3U);
+  for (int i = 0; i < 3; ++i) {
+    const auto scan = source.next();
+    ASSERT_TRUE(scan);
+    EXPECT_NEAR(core::fromMrptTime(scan->timestamp), TumFolder::colorStamp_s(i), 1e-6);
+    EXPECT_EQ(scan->sensorLabel, "RGBD");
+    EXPECT_EQ(difference(colorOf(*scan), TumFolder::colorImage(i)), 0.0);
+    EXPECT_EQ(difference(depthOf(*scan), TumFolder::depthImage(i)), 0.0);
+    EXPECT_FLOAT_EQ(scan->rangeUnits, 0.0002F);
+    EXPECT_TRUE(scan->range_is_depth);
+    EXPECT_TRUE(scan->doDepthAndIntensityCamerasCoincide());
+    EXPECT_EQ(scan->cameraParams, scan->cameraParamsIntensity);
+    EXPECT_EQ(scan->cameraParams.fy(), 31.0);
+    EXPECT_EQ(scan->cameraParams.k1(), 0.1);
+  }
+  EXPECT_FALSE(source.next());
+  EXPECT_FALSE(source.next());
+  EXPECT_THAT(source.damage(), IsEmpty());
+}
+
+TEST(TumFolderSource, ReadsJpeg) {
+  const TumFolder folder(1, "jpg");
+  TumFolderSource source(folder.path(), {});
+  const auto scan = source.next();
+  ASSERT_TRUE(scan);
+  EXPECT_LT(cv::norm(colorOf(*scan), TumFolder::colorImage(0), cv::NORM_L1) / (32 * 24 * 3), 8.0);
+}
+
+TEST(TumFolderSource, MakesColourOfMonochromeImages) {
+  const TumFolder folder(1);
+  cv::Mat gray;
+  cv::extractChannel(TumFolder::colorImage(0), gray, 1);
+  folder.writeImage(TumFolder::colorFile(0), gray);
+  TumFolderSource source(folder.path(), {});
+  const auto scan = source.next();
+  ASSERT_TRUE(scan);
+  EXPECT_EQ(colorOf(*scan).at<cv::Vec3b>(3, 20), cv::Vec3b(140, 140, 140));  // 7 * column 20
+}
+
+TEST(TumFolderSource, FollowsTheDepthUnitOfTheCameraFile) {
+  const TumFolder folder(1);
+  folder.write("camera.yaml",
+               "width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 15.5\ncy: 11.5\ndepth_factor: 1000\nfps: 30\n");
+  TumFolderSource source(folder.path(), {});
+  EXPECT_FLOAT_EQ(source.next()->rangeUnits, 0.001F);
+}
+
+TEST(TumFolderSource, AGivenCameraFileReplacesThatOfTheFolder) {
+  const TumFolder folder(1);
+  SourceOptions options;
+  options.camera = folder.write("other.yaml", "width: 32\nheight: 24\nfx: 77\nfy: 30\ncx: 15.5\ncy: 11.5\n");
+  TumFolderSource source(folder.path(), options);
+  EXPECT_EQ(source.next()->cameraParams.fx(), 77.0);
+}
+
+/// The images are smaller than TUM's: the warning tells that the camera was found.
+std::string complaintAboutImageSize(const std::filesystem::path& folder) {
+  const Reading reading(folder);
+  EXPECT_THAT(reading.damage, ElementsAre(Pair("sources.image_size", 1)));
+  return reading.warnings.empty() ? "" : reading.warnings.front();
+}
+
+TEST(TumFolderSource, KnowsTumsCamerasByTheFolderName) {
+  const TumFolder folder(1);
+  std::filesystem::remove(folder.path() / "camera.yaml");
+  for (const std::string name : {"rgbd_dataset_freiburg1_xyz", "fr3_walking_xyz", "TUM-Freiburg2-desk"}) {
+    const auto named = folder.path() / name;
+    std::filesystem::create_directory(named);
+    for (const std::string part : {"rgb", "depth", "rgb.txt", "depth.txt"}) {
+      std::filesystem::create_symlink(folder.path() / part, named / part);
+    }
+    EXPECT_THAT(complaintAboutImageSize(named / "."), HasSubstr("camera 640x480"));
+  }
+}
+
+TEST(TumFolderSource, KnowsTumsCamerasByTheCommentsOfTheList) {
+  const TumFolder folder(1);
+  std::filesystem::remove(folder.path() / "camera.yaml");
+  folder.write("rgb.txt", "# color images\n# file: 'rgbd_dataset_freiburg2_desk.bag'\n100.0 rgb/0.png\n");
+  EXPECT_THAT(complaintAboutImageSize(folder.path()), HasSubstr("camera 640x480"));
+}
+
+TEST(TumFolderSource, AnUnknownCameraIsAnErrorThatListsTheFiles) {
+  const TumFolder folder(1);
+  std::filesystem::remove(folder.path() / "camera.yaml");
+  EXPECT_THAT([&] { TumFolderSource(folder.path(), {}); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("--camera"), HasSubstr("tum_freiburg1.yaml"))));
+}
+
+class DamagedTumFolder : public ::testing::Test {
+ protected:
+  /// Frame 1 of 0..3 is left out, counted and warned of once; the others come.
+  void expectLeftOut(const std::string& kind, const std::string& file) const {
+    const Reading reading(folder.path());
+    EXPECT_THAT(reading.stamps_s, ElementsAre(::testing::DoubleNear(TumFolder::colorStamp_s(0), 1e-6),
+                                              ::testing::DoubleNear(TumFolder::colorStamp_s(2), 1e-6),
+                                              ::testing::DoubleNear(TumFolder::colorStamp_s(3), 1e-6)));
+    EXPECT_THAT(reading.damage, ElementsAre(Pair("sources." + kind, 1)));
+    EXPECT_THAT(reading.warnings, ElementsAre(AllOf(HasSubstr("rgb.txt:4: "), HasSubstr(file))));
+  }
+  TumFolder folder{4};
+};
+
+TEST_F(DamagedTumFolder, AMissingColourImageIsLeftOut) {
+  std::filesystem::remove(folder.path() / TumFolder::colorFile(1));
+  expectLeftOut("image_missing", TumFolder::colorFile(1));
+}
+
+TEST_F(DamagedTumFolder, AMissingDepthImageIsLeftOut) {
+  std::filesystem::remove(folder.path() / TumFolder::depthFile(1));
+  expectLeftOut("image_missing", TumFolder::depthFile(1));
+}
+
+TEST_F(DamagedTumFolder, ATruncatedPngIsLeftOutWhereverItIsCut) {
+  for (const double part : {0.98, 0.6, 0.3}) {
+    test::cutOff(folder.path() / TumFolder::depthFile(1), part);
+    expectLeftOut("image_truncated", TumFolder::depthFile(1));
+  }
+}
+
+TEST_F(DamagedTumFolder, AnEmptyImageFileIsLeftOut) {
+  folder.write(TumFolder::colorFile(1), "");
+  expectLeftOut("image_truncated", TumFolder::colorFile(1));
+}
+
+TEST_F(DamagedTumFolder, WhatIsNoImageIsLeftOut) {
+  folder.write(TumFolder::colorFile(1), "this is no image");
+  expectLeftOut("image_unreadable", TumFolder::colorFile(1));
+}
+
+TEST_F(DamagedTumFolder, APngWithDamagedContentIsLeftOut) {
+  std::string bytes = test::readText(folder.path() / TumFolder::depthFile(1));
+  for (std::size_t i = 45; i < 65; ++i) bytes[i] = static_cast<char>(~bytes[i]);  // within the compressed pixels
+  folder.write(TumFolder::depthFile(1), bytes);
+  expectLeftOut("image_unreadable", TumFolder::depthFile(1));
+}
+
+TEST_F(DamagedTumFolder, DepthOfAnotherSizeIsLeftOut) {
+  folder.writeImage(TumFolder::depthFile(1), cv::Mat(12, 16, CV_16UC1, cv::Scalar(5000)));
+  expectLeftOut("depth_size", "16x12");
+}
+
+TEST_F(DamagedTumFolder, ColourOfAnotherSizeThanTheCameraIsLeftOut) {
+  folder.writeImage(TumFolder::colorFile(1), cv::Mat(12, 16, CV_8UC3, cv::Scalar::all(0)));
+  expectLeftOut("image_size", "16x12");
+}
+
+TEST_F(DamagedTumFolder, DepthOfEightBitIsLeftOut) {
+  folder.writeImage(TumFolder::depthFile(1), cv::Mat(24, 32, CV_8UC1, cv::Scalar(50)));
+  expectLeftOut("depth_format", TumFolder::depthFile(1));
+}
+
+TEST(TumFolderSource, ATruncatedJpegIsLeftOut) {
+  const TumFolder folder(2, "jpg");
+  test::cutOff(folder.path() / TumFolder::colorFile(0, "jpg"), 0.9);
+  const Reading reading(folder.path());
+  EXPECT_THAT(reading.stamps_s, ::testing::SizeIs(1));
+  EXPECT_THAT(reading.damage, ElementsAre(Pair("sources.image_truncated", 1)));
+}
+
+TEST(TumFolderSource, EachKindOfDamageIsToldOnceAndCountedAlways) {
+  const TumFolder folder(5);
+  for (const int i : {0, 2, 3}) std::filesystem::remove(folder.path() / TumFolder::depthFile(i));
+  const Reading reading(folder.path());
+  EXPECT_THAT(reading.damage, ElementsAre(Pair("sources.image_missing", 3)));
+  EXPECT_THAT(reading.warnings, ::testing::SizeIs(1));
+  EXPECT_THAT(reading.stamps_s, ::testing::SizeIs(2));
+}
+
+}  // namespace
+}  // namespace wardslam::sources
