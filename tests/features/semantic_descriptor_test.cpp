@@ -135,6 +135,39 @@ TEST(SemanticDescriptor, AgreesWithTheFormulaInFloatingPoint) {
   }
 }
 
+TEST(SemanticDescriptor, ManyAtOnceAreTheSameAsOneByOne) {
+  const cv::Mat classes = randomClasses(60, 80);
+  const std::vector<core::Keypoint> keypoints = {keypointAt(3, 50, 1.0F), keypointAt(40, 30, -2.0F), keypointAt(79, 0)};
+  const cv::Mat all = describeSemantics(classes, keypoints, 21);
+  ASSERT_EQ(all.size(), cv::Size(441, 3));
+  for (int i = 0; i < 3; ++i) {
+    const cv::Mat one = describeSemantics(classes, keypoints[static_cast<std::size_t>(i)], 21);
+    EXPECT_TRUE(equal(all.row(i), one.reshape(1, 1))) << i;
+  }
+  EXPECT_EQ(describeSemantics(classes, std::vector<core::Keypoint>(), 21).rows, 0);
+}
+
+TEST(SemanticDescriptor, ReadsAnImageThatIsPartOfALargerOne) {
+  const cv::Mat larger = randomClasses(90, 120);
+  const cv::Mat part = larger(cv::Rect(13, 17, 80, 60));
+  const auto keypoint = keypointAt(40.4F, 30.2F, 0.8F);
+  EXPECT_TRUE(equal(describeSemantics(part, keypoint, 21), describeSemantics(part.clone(), keypoint, 21)));
+}
+
+TEST(SemanticDescriptor, NearTheBorderItIsThatOfAWiderImageCut) {
+  // The wider image is the same with zeros around, so that the patch lies inside of it.
+  const cv::Mat classes = randomClasses(60, 80);
+  cv::Mat wider;
+  cv::copyMakeBorder(classes, wider, 50, 50, 50, 50, cv::BORDER_CONSTANT, cv::Scalar(0));
+  for (float x = 0.0F; x < 80.0F; x += 3.125F) {
+    for (float y = 0.0F; y < 60.0F; y += 3.125F) {
+      const float angle = x - y;
+      const auto cut = describeSemantics(classes, keypointAt(x, y, angle), 21);
+      EXPECT_TRUE(equal(cut, describeSemantics(wider, keypointAt(x + 50.0F, y + 50.0F, angle), 21))) << x << ", " << y;
+    }
+  }
+}
+
 TEST(SemanticDescriptor, RefusesWhatIsNoPatch) {
   const cv::Mat classes(4, 4, CV_8UC1, cv::Scalar(0));
   EXPECT_THROW(static_cast<void>(describeSemantics(classes, keypointAt(1, 1), 4)), cv::Exception);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "wardslam/core/keypoint.h"
 
@@ -12,6 +13,9 @@ namespace wardslam::features {
 ///
 /// `classIds`: CV_8UC1, raw image. `n`: side length in pixels, odd, > 0.
 [[nodiscard]] cv::Mat describeSemantics(const cv::Mat& classIds, const core::Keypoint& keypoint, int n);
+
+/// The descriptors of many key points at once: row i (n² columns, the patch row by row) belongs to keypoints[i].
+[[nodiscard]] cv::Mat describeSemantics(const cv::Mat& classIds, const std::vector<core::Keypoint>& keypoints, int n);
 
 /// Number of cells in which two descriptors of equal size differ (P6). Eq. 6 as printed counts *equal* cells; the
 /// paper's own example and its use as an outlier test need the count of differing ones.

@@ -1,0 +1,133 @@
+// Budgets: descriptors and dynamic test together at most 0.5 ms per frame at n = 21, and nearly flat in n.
+
+#include <benchmark/benchmark.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "wardslam/core/annotation.h"
+#include "wardslam/core/data_files.h"
+#include "wardslam/features/semantic_descriptor.h"
+#include "wardslam/filters/dynamic_test.h"
+#include "wardslam/filters/motion_annotation.h"
+#include "wardslam/filters/semantic_dynamic_filter.h"
+#include "wardslam/knowledge/knowledge_graph.h"
+#include "wardslam/segmentation/async_segmenter.h"
+
+namespace wardslam {
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+constexpr int kKeypoints = 1000;
+
+knowledge::KnowledgeGraph hospital() {
+  return knowledge::KnowledgeGraph::fromFile(core::findDataFile("knowledge/hospital.yaml"));
+}
+
+/// Two people, four chairs, a cup and a bed: the round shapes fill about half of the image.
+core::Segmentation wardScene() {
+  core::Segmentation scene;
+  scene.classIds = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(0));
+  scene.instanceIds = cv::Mat(kHeight, kWidth, CV_16UC1, cv::Scalar(0));
+  const auto put = [&](core::ClassId c, cv::Point centre, cv::Size radii) {
+    const auto id = static_cast<std::uint16_t>(scene.instances.size() + 1);
+    cv::ellipse(scene.classIds, centre, radii, 0, 0, 360, cv::Scalar(c), cv::FILLED);
+    cv::ellipse(scene.instanceIds, centre, radii, 0, 0, 360, cv::Scalar(id), cv::FILLED);
+    const cv::Rect box(centre.x - radii.width, centre.y - radii.height, 2 * radii.width + 1, 2 * radii.height + 1);
+    scene.instances.push_back({id, c, 0.9F, box & cv::Rect(0, 0, kWidth, kHeight)});
+  };
+  put(60, {320, 420}, {200, 70});
+  for (const int x : {80, 230, 400, 560}) put(57, {x, 300}, {60, 90});
+  put(1, {170, 200}, {50, 160});
+  put(1, {480, 220}, {60, 180});
+  put(42, {230, 180}, {12, 16});
+  return scene;
+}
+
+std::vector<core::Keypoint> randomKeypoints() {
+  cv::RNG random(1);
+  std::vector<core::Keypoint> keypoints(kKeypoints);
+  for (auto& keypoint : keypoints) {
+    keypoint.raw_px = {random.uniform(0.0F, float{kWidth - 1}), random.uniform(0.0F, float{kHeight - 1})};
+    keypoint.angle_rad = random.uniform(-3.14F, 3.14F);
+  }
+  return keypoints;
+}
+
+void dynamicTest(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  filters::DynamicTest test({hospital(), core::LabelSpace::coco()}, {n, n * n / 8});
+  const cv::Mat classIds = wardScene().classIds;
+  std::vector<core::Keypoint> keypoints = randomKeypoints();
+  for (auto _ : state) {
+    test.setImage(classIds);
+    test.mark(keypoints);
+    benchmark::DoNotOptimize(keypoints.data());
+  }
+}
+BENCHMARK(dynamicTest)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicrosecond);
+
+void describeAll(benchmark::State& state) {
+  const cv::Mat classIds = wardScene().classIds;
+  const std::vector<core::Keypoint> keypoints = randomKeypoints();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(features::describeSemantics(classIds, keypoints, static_cast<int>(state.range(0))));
+  }
+}
+BENCHMARK(describeAll)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicrosecond);
+
+void distanceOfAll(benchmark::State& state) {
+  const cv::Mat classIds = wardScene().classIds;
+  const cv::Mat descriptors = features::describeSemantics(classIds, randomKeypoints(), 21);
+  for (auto _ : state) {
+    for (int i = 1; i < descriptors.rows; ++i) {
+      benchmark::DoNotOptimize(features::semanticDistance(descriptors.row(i - 1), descriptors.row(i)));
+    }
+  }
+}
+BENCHMARK(distanceOfAll)->Unit(benchmark::kMicrosecond);
+
+void annotateObservation(benchmark::State& state) {
+  const knowledge::MotionRules rules(hospital(), core::LabelSpace::coco());
+  filters::DynamicTest test(rules, {});
+  const core::Segmentation scene = wardScene();
+  const cv::Mat moving = scene.classIds == 1;
+  mrpt::obs::CObservation3DRangeScan observation;
+  for (auto _ : state) {
+    test.setImage(scene.classIds);
+    core::annotate(observation, filters::motionLabels(scene, moving, rules, test));
+  }
+}
+BENCHMARK(annotateObservation)->Unit(benchmark::kMicrosecond);
+
+class InstantSegmenter : public segmentation::Segmenter {
+ public:
+  Result segment(const cv::Mat&, double) override { return {scene_, {}}; }
+  const core::LabelSpace& labelSpace() const override { return labels_; }
+
+ private:
+  core::Segmentation scene_ = wardScene();
+  core::LabelSpace labels_ = core::LabelSpace::coco();
+};
+
+/// Everything the filter adds to a frame once the masks are there: margin, test, annotation.
+void wholeFilter(benchmark::State& state) {
+  filters::SemanticDynamicFilter filter;
+  filter.initialize({}, {std::make_shared<segmentation::AsyncSegmenter>(std::make_unique<InstantSegmenter>()),
+                         std::make_shared<knowledge::KnowledgeGraph>(hospital())});
+  core::Frame frame;
+  frame.color_bgr = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(0));
+  frame.features.keypoints = randomKeypoints();
+  frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
+  frame.observation->hasRangeImage = true;
+  frame.observation->rangeImage_setSize(kHeight, kWidth);
+  for (auto _ : state) {
+    filter.begin(frame);
+    filter.apply(frame);
+  }
+}
+BENCHMARK(wholeFilter)->Unit(benchmark::kMicrosecond)->UseRealTime();
+
+}  // namespace
+}  // namespace wardslam
