@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 
+#include "config_command.h"
 #include "eval_command.h"
+#include "run_command.h"
 #include "support/program.h"
 
 int main(int argc, char** argv) {
@@ -9,7 +11,9 @@ int main(int argc, char** argv) {
     CLI::App app("RGB-D SLAM that leaves out what moves", "wardslam");
     app.set_version_flag("--version", "wardslam " WARDSLAM_VERSION);
     app.require_subcommand(1);
+    addRunCommand(app);
     addEvalCommand(app);
+    addConfigCommand(app);
     try {
       app.parse(argc, argv);
       return kSuccess;

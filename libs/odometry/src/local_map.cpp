@@ -97,6 +97,13 @@ void LocalMap::updateAppearance(PointId id, const core::Keypoint& keypoint, cons
   point.viewedFrom_map_m = T_map_cam.translation();
 }
 
+void LocalMap::apply(const MapUpdate& update) {
+  for (const auto& [id, p_map_m] : update.p_map_m) {
+    if (const auto point = points_.find(id); point != points_.end()) point->second.p_map_m = p_map_m;
+  }
+  for (const PointId id : update.removedPoints) points_.erase(id);
+}
+
 void LocalMap::cull() {
   for (auto it = points_.begin(); it != points_.end();) {
     const bool isUnreliable = it->second.timesFound < options_.min_found_ratio * it->second.timesVisible;

@@ -9,11 +9,11 @@
 
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/keypoint.h"
+#include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/odometry_options.h"
 
 namespace wardslam::odometry {
 
-using PointId = std::uint64_t;
 using OrbDescriptor = std::array<std::uint8_t, 32>;
 
 [[nodiscard]] OrbDescriptor descriptorOf(const core::Features& features, std::size_t keypoint);
@@ -62,6 +62,9 @@ class LocalMap {
                const Eigen::Isometry3d& T_map_cam, std::uint64_t frame);
   void updateAppearance(PointId id, const core::Keypoint& keypoint, const OrbDescriptor& descriptor,
                         const Eigen::Isometry3d& T_map_cam);
+
+  /// Better positions, and points to forget.
+  void apply(const MapUpdate& update);
 
   /// Drops points that are rarely found where they should be and, above the limit, those unseen for longest.
   void cull();

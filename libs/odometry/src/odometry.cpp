@@ -15,6 +15,7 @@ namespace {
 
 /// One image as the tracker sees it.
 struct View {
+  double stamp_s;
   const core::CameraModel& camera;
   const core::Features& features;
   KeypointGrid grid;
@@ -47,12 +48,14 @@ class Odometry::Tracker {
   explicit Tracker(const OdometryOptions& options)
       : options_(options), map_(options.local_map), matcher_(options.matcher), solver_(options.pose_solver) {}
 
-  OdometryResult track(const core::CameraModel& camera, const core::Features& features) {
-    const View view{camera, features, KeypointGrid(features.keypoints, camera), frame_++};
+  OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features) {
+    const View view{stamp_s, camera, features, KeypointGrid(features.keypoints, camera), frame_++};
     if (state_ == State::Initialising) return initialise(view);
     const Tracking tracking = find(view);
     return isGood(tracking) ? accept(view, tracking) : lose(tracking);
   }
+
+  void apply(const MapUpdate& update);
 
  private:
   OdometryResult initialise(const View& view);
@@ -72,7 +75,8 @@ class Odometry::Tracker {
   void updateMap(const View& view, const Tracking& tracking);
   [[nodiscard]] std::vector<std::size_t> newPointCandidates(const View& view, const Tracking& tracking) const;
   [[nodiscard]] bool needsKeyframe(const View& view, const Tracking& tracking, std::size_t newPoints) const;
-  void insertKeyframe(const View& view, const Tracking& tracking, const std::vector<std::size_t>& newPoints);
+  std::shared_ptr<const Keyframe> insertKeyframe(const View& view, const Tracking& tracking,
+                                                 const std::vector<std::size_t>& newPoints);
 
   OdometryOptions options_;
   LocalMap map_;
@@ -84,16 +88,19 @@ class Odometry::Tracker {
   Eigen::Isometry3d T_cam_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_cam_previous_ = Eigen::Isometry3d::Identity();  ///< Motion of the last frame.
   std::vector<PointId> lastSeen_;                                     ///< Points found in the last tracked frame.
-  std::uint64_t keyframeFrame_ = 0;
-  std::size_t keyframePoints_ = 0;
+  struct {
+    KeyframeId id = 0;
+    std::uint64_t frame = 0;
+    Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+  } lastKeyframe_;
+  std::size_t mostTracked_ = 0;  ///< Points found in one image since the last keyframe.
 };
 
 OdometryResult Odometry::Tracker::initialise(const View& view) {
   const auto newPoints = newPointCandidates(view, {});
   if (static_cast<int>(newPoints.size()) < options_.min_initial_points) return {};
-  insertKeyframe(view, {}, newPoints);
   state_ = State::Ok;
-  return {state_, T_cam_map_.inverse(), 0, static_cast<int>(newPoints.size()), true};
+  return {state_, T_cam_map_.inverse(), 0, static_cast<int>(newPoints.size()), insertKeyframe(view, {}, newPoints)};
 }
 
 Tracking Odometry::Tracker::find(const View& view) const {
@@ -165,15 +172,16 @@ OdometryResult Odometry::Tracker::accept(const View& view, const Tracking& track
   state_ = State::Ok;
   updateMap(view, tracking);
 
+  mostTracked_ = std::max(mostTracked_, tracking.inliers.size());
   const auto newPoints = newPointCandidates(view, tracking);
-  const bool isKeyframe = needsKeyframe(view, tracking, newPoints.size());
-  if (isKeyframe) insertKeyframe(view, tracking, newPoints);
-  return {state_, T_cam_map_.inverse(), tracking.matches, static_cast<int>(tracking.inliers.size()), isKeyframe};
+  OdometryResult result{state_, T_cam_map_.inverse(), tracking.matches, static_cast<int>(tracking.inliers.size()), {}};
+  if (needsKeyframe(view, tracking, newPoints.size())) result.keyframe = insertKeyframe(view, tracking, newPoints);
+  return result;
 }
 
 OdometryResult Odometry::Tracker::lose(const Tracking& tracking) {
   state_ = State::Lost;
-  return {state_, T_cam_map_.inverse(), tracking.matches, static_cast<int>(tracking.inliers.size()), false};
+  return {state_, T_cam_map_.inverse(), tracking.matches, static_cast<int>(tracking.inliers.size()), {}};
 }
 
 void Odometry::Tracker::updateMap(const View& view, const Tracking& tracking) {
@@ -203,26 +211,44 @@ std::vector<std::size_t> Odometry::Tracker::newPointCandidates(const View& view,
 bool Odometry::Tracker::needsKeyframe(const View& view, const Tracking& tracking, std::size_t newPoints) const {
   const KeyframeOptions& keyframes = options_.keyframes;
   if (static_cast<int>(newPoints) < keyframes.min_new_points) return false;
-  const bool isLate = view.frame - keyframeFrame_ >= static_cast<std::uint64_t>(keyframes.max_frame_gap);
-  const bool hasLeft = static_cast<double>(tracking.inliers.size()) <
-                       keyframes.min_tracked_fraction * static_cast<double>(keyframePoints_);
+  const bool isLate = view.frame - lastKeyframe_.frame >= static_cast<std::uint64_t>(keyframes.max_frame_gap);
+  const bool hasLeft =
+      static_cast<double>(tracking.inliers.size()) < keyframes.min_tracked_fraction * static_cast<double>(mostTracked_);
   return isLate || hasLeft;
 }
 
-void Odometry::Tracker::insertKeyframe(const View& view, const Tracking& tracking,
-                                       const std::vector<std::size_t>& newPoints) {
+std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const View& view, const Tracking& tracking,
+                                                                  const std::vector<std::size_t>& newPoints) {
   const Eigen::Isometry3d T_map_cam = T_cam_map_.inverse();
+  auto keyframe = std::make_shared<Keyframe>();
   for (const Match& match : tracking.inliers) {
     map_.updateAppearance(match.point, view.features.keypoints[match.keypoint],
                           descriptorOf(view.features, match.keypoint), T_map_cam);
+    keyframe->sightings.push_back({match.point, match.keypoint, map_.find(match.point)->p_map_m});
   }
   for (const std::size_t i : newPoints) {
-    lastSeen_.push_back(
-        map_.add(view.features.keypoints[i], descriptorOf(view.features, i), view.camera, T_map_cam, view.frame));
+    const PointId id =
+        map_.add(view.features.keypoints[i], descriptorOf(view.features, i), view.camera, T_map_cam, view.frame);
+    lastSeen_.push_back(id);
+    keyframe->sightings.push_back({id, i, map_.find(id)->p_map_m});
   }
-  keyframeFrame_ = view.frame;
-  keyframePoints_ = lastSeen_.size();
+  keyframe->id = lastKeyframe_.id + 1;
+  keyframe->stamp_s = view.stamp_s;
+  keyframe->camera = view.camera;
+  keyframe->T_map_cam = T_map_cam;
+  keyframe->features = view.features;
+  lastKeyframe_ = {keyframe->id, view.frame, T_map_cam};
+  mostTracked_ = 0;
   map_.cull();
+  return keyframe;
+}
+
+void Odometry::Tracker::apply(const MapUpdate& update) {
+  map_.apply(update);
+  const auto moved = update.T_map_cam.find(lastKeyframe_.id);
+  if (moved == update.T_map_cam.end()) return;
+  T_cam_map_ = T_cam_map_ * lastKeyframe_.T_map_cam * moved->second.inverse();
+  lastKeyframe_.T_map_cam = moved->second;
 }
 
 Odometry::Odometry(const OdometryOptions& options) : tracker_(std::make_unique<Tracker>(options)) {}
@@ -230,9 +256,10 @@ Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 
-OdometryResult Odometry::track(double /*stamp_s*/, const core::CameraModel& camera,
-                               const core::Features& staticFeatures) {
-  return tracker_->track(camera, staticFeatures);
+OdometryResult Odometry::track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures) {
+  return tracker_->track(stamp_s, camera, staticFeatures);
 }
+
+void Odometry::apply(const MapUpdate& update) { tracker_->apply(update); }
 
 }  // namespace wardslam::odometry

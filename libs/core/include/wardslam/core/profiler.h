@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wardslam::core {
@@ -38,6 +39,14 @@ class Profiler {
   };
 
   [[nodiscard]] Scope measure(std::string step) { return {*this, std::move(step)}; }
+
+  /// Calls `work`, timed; returns what it returns.
+  template <class Work>
+  decltype(auto) time(std::string step, Work&& work) {
+    const Scope scope = measure(std::move(step));
+    return std::forward<Work>(work)();
+  }
+
   void add(const std::string& step, std::chrono::steady_clock::duration duration);
   [[nodiscard]] std::map<std::string, Statistics> statistics() const;
 

@@ -7,6 +7,7 @@
 
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/keypoint.h"
+#include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/odometry_options.h"
 
 namespace wardslam::odometry {
@@ -21,7 +22,7 @@ struct OdometryResult {
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();  ///< Meaningful when state is Ok.
   int matches = 0;                                              ///< Map points found in the image.
   int inliers = 0;                                              ///< Of these, the ones the pose rests on.
-  bool isKeyframe = false;                                      ///< New points were added to the local map.
+  std::shared_ptr<const Keyframe> keyframe;                     ///< Set when new points were added to the local map.
 
   [[nodiscard]] bool hasPose() const { return state == State::Ok; }
 };
@@ -40,6 +41,9 @@ class Odometry {
   /// Finds the camera's pose from the static features of the next image. The map frame is the camera frame of the
   /// first image that tracking could start from.
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures);
+
+  /// Takes over better positions of points and keyframes; the camera moves along with the last keyframe.
+  void apply(const MapUpdate& update);
 
  private:
   class Tracker;

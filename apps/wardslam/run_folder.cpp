@@ -1,0 +1,81 @@
+#include "run_folder.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "wardslam/core/atomic_file.h"
+#include "wardslam/core/errors.h"
+
+namespace wardslam::apps {
+namespace {
+
+std::filesystem::path makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw core::InputError(folder.string() + ": cannot be made: " + error.message());
+  return folder;
+}
+
+double rounded(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::round(value * scale) / scale;
+}
+
+double peakMemory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+nlohmann::ordered_json stagesJson(const core::Profiler& profiler) {
+  nlohmann::ordered_json stages;
+  for (const auto& [step, statistics] : profiler.statistics()) {
+    stages[step] = {{"calls", statistics.calls},
+                    {"median_ms", rounded(statistics.median_ms, 3)},
+                    {"p95_ms", rounded(statistics.p95_ms, 3)}};
+  }
+  return stages;
+}
+
+nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
+  const auto& statistics = summary.statistics;
+  nlohmann::ordered_json json;
+  json["frames"] = statistics.frames();
+  json["frames_tracked"] = statistics.framesTracked();
+  json["coverage"] = statistics.coverage();
+  json["lost_events"] = statistics.lostEvents();
+  json["keyframes"] = statistics.keyframes();
+  json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
+  json["stages"] = stagesJson(summary.profiler);
+  json["fps"] = elapsed_s > 0 ? rounded(static_cast<double>(statistics.frames()) / elapsed_s, 2) : 0.0;
+  json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);
+  json["deterministic"] = summary.deterministic;
+  json["interrupted"] = summary.interrupted;
+  json["events"] = statistics.events();
+  json["damaged_input"] = summary.damage;
+  return json;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const std::filesystem::path& folder)
+    : folder_(makeFolder(folder)), trajectory_(folder / "trajectory.txt") {}
+
+void RunFolder::writeConfiguration(const std::string& yaml) const {
+  core::writeFileAtomically(folder_ / "config.yaml", yaml);
+}
+
+void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
+  if (odometry.hasPose()) trajectory_.write({frame.stamp_s, odometry.T_map_cam});
+}
+
+void RunFolder::finish(const RunSummary& summary) {
+  trajectory_.finish();
+  const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
+}
+
+}  // namespace wardslam::apps

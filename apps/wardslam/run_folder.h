@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "wardslam/core/event_counts.h"
+#include "wardslam/core/profiler.h"
+#include "wardslam/pipeline/frame_observer.h"
+#include "wardslam/pipeline/run_statistics.h"
+#include "wardslam/storage/tum_trajectory.h"
+
+namespace wardslam::apps {
+
+/// What summary.json is made from.
+struct RunSummary {
+  const pipeline::RunStatistics& statistics;
+  const core::EventCounts& damage;
+  const core::Profiler& profiler;
+  bool interrupted;
+  bool deterministic;
+};
+
+/// The results of a run on disk: trajectory.txt (grows with every frame), config.yaml and summary.json.
+class RunFolder : public pipeline::FrameObserver {
+ public:
+  /// Makes the folder. Throws core::InputError when it cannot be written.
+  explicit RunFolder(const std::filesystem::path& folder);
+
+  void writeConfiguration(const std::string& yaml) const;
+  void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
+  void finish(const RunSummary& summary);
+
+ private:
+  std::filesystem::path folder_;
+  storage::TumTrajectoryWriter trajectory_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace wardslam::apps

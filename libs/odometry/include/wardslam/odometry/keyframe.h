@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "wardslam/core/camera_model.h"
+#include "wardslam/core/keypoint.h"
+
+namespace wardslam::odometry {
+
+using PointId = std::uint64_t;
+using KeyframeId = std::uint64_t;
+
+/// A map point recognised in a key point of a keyframe.
+struct Sighting {
+  PointId point = 0;
+  std::size_t keypoint = 0;                           ///< Index into Keyframe::features.
+  Eigen::Vector3d p_map_m = Eigen::Vector3d::Zero();  ///< Where the point was thought to be.
+};
+
+/// An image worth remembering: it saw something new.
+struct Keyframe {
+  KeyframeId id = 0;  ///< Counts up by one.
+  double stamp_s = 0.0;
+  core::CameraModel camera;
+  Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+  core::Features features;  ///< Static ones only.
+  std::vector<Sighting> sightings;
+};
+
+/// Better estimates of what tracking rests on. What is not named stays as it is.
+struct MapUpdate {
+  std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
+  std::map<PointId, Eigen::Vector3d> p_map_m;
+  std::vector<PointId> removedPoints;
+
+  [[nodiscard]] bool empty() const { return T_map_cam.empty() && p_map_m.empty() && removedPoints.empty(); }
+};
+
+}  // namespace wardslam::odometry

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+
+#include "wardslam/core/event_counts.h"
+#include "wardslam/pipeline/frame_observer.h"
+
+namespace wardslam::pipeline {
+
+/// Counts what a run was made of.
+class RunStatistics : public FrameObserver {
+ public:
+  void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
+
+  /// An observation that never became a frame.
+  void addUnusable();
+
+  [[nodiscard]] std::size_t unusableFrames() const { return unusableFrames_; }
+
+  [[nodiscard]] std::size_t frames() const { return frames_; }
+  [[nodiscard]] std::size_t framesTracked() const { return framesTracked_; }
+  [[nodiscard]] double coverage() const;  ///< Share of the frames with a pose; 0 without frames.
+  [[nodiscard]] std::size_t lostEvents() const { return lostEvents_; }  ///< Times tracking went from ok to lost.
+  [[nodiscard]] std::size_t keyframes() const { return keyframes_; }
+  [[nodiscard]] double dynamicKeypointFraction() const;  ///< Over all frames; 0 without key points.
+  [[nodiscard]] const core::EventCounts& events() const { return events_; }
+
+ private:
+  std::size_t frames_ = 0;
+  std::size_t unusableFrames_ = 0;
+  std::size_t framesTracked_ = 0;
+  std::size_t lostEvents_ = 0;
+  std::size_t keyframes_ = 0;
+  std::size_t keypoints_ = 0;
+  std::size_t dynamicKeypoints_ = 0;
+  odometry::State state_ = odometry::State::Initialising;
+  core::EventCounts events_;
+};
+
+}  // namespace wardslam::pipeline

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "wardslam/core/options.h"
+#include "wardslam/features/orb_extractor.h"
+#include "wardslam/filters/filter_chain.h"
+#include "wardslam/odometry/odometry_options.h"
+#include "wardslam/segmentation/segmenter_factory.h"
+
+namespace wardslam::pipeline {
+
+/// Section `knowledge:` of the configuration.
+struct KnowledgeOptions {
+  std::string file = "knowledge/hospital.yaml";
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("file", self.file, "who can move what; relative to this file or to the installed configuration");
+  }
+};
+
+/// The whole configuration of a SlamSystem: one section per room.
+struct SlamOptions {
+  features::OrbOptions features;
+  segmentation::SegmentationOptions segmentation;
+  KnowledgeOptions knowledge;
+  core::ConfigNode filters = defaultFilters();  ///< List of {class_name, params}; see filters::FilterChain.
+  odometry::OdometryOptions odometry;
+
+  std::filesystem::path file;  ///< Where it was read from; empty for the defaults.
+
+  /// The semantic dynamic filter with its defaults.
+  [[nodiscard]] static core::ConfigNode defaultFilters();
+  [[nodiscard]] static core::ConfigNode noFilters();
+
+  /// Everything but the filters, whose parameters only they themselves know.
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit.group("features", self.features);
+    visit.group("segmentation", self.segmentation);
+    visit.group("knowledge", self.knowledge);
+    visit.group("odometry", self.odometry);
+  }
+};
+
+/// Defaults, overwritten by what the file says. Throws core::InputError naming file, line and key.
+[[nodiscard]] SlamOptions readSlamOptions(const std::filesystem::path& file);
+
+/// All options as commented YAML that readSlamOptions() takes. The chain knows the parameters of `options.filters`.
+[[nodiscard]] std::string writeSlamOptions(const SlamOptions& options, const filters::FilterChain& chain);
+
+}  // namespace wardslam::pipeline

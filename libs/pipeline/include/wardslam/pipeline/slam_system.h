@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "wardslam/core/label_space.h"
+#include "wardslam/core/profiler.h"
+#include "wardslam/features/orb_extractor.h"
+#include "wardslam/filters/filter_chain.h"
+#include "wardslam/odometry/odometry.h"
+#include "wardslam/pipeline/frame_observer.h"
+#include "wardslam/pipeline/slam_options.h"
+#include "wardslam/sources/frame_builder.h"
+
+namespace wardslam::pipeline {
+
+/// From observations to the camera's pose among moving people: the main loop.
+///
+///     SlamSystem slam(readSlamOptions("wardslam.yaml"));
+///     while (auto observation = source->next()) std::cout << slam.process(observation).T_map_cam.matrix();
+class SlamSystem {
+ public:
+  /// Throws core::InputError when a file the options name is missing or wrong.
+  explicit SlamSystem(const SlamOptions& options);
+
+  /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
+  /// core::InputError for what no later observation mends. Filters annotate the observation.
+  odometry::OdometryResult process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
+
+  /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
+  void finish();
+
+  /// Must outlive this object.
+  void addObserver(FrameObserver& observer) { observers_.push_back(&observer); }
+
+  /// All options in effect, as commented YAML that readSlamOptions() takes.
+  [[nodiscard]] std::string configuration() const;
+
+  [[nodiscard]] const core::LabelSpace& labelSpace() const { return labels_; }
+  [[nodiscard]] const core::Profiler& profiler() const { return profiler_; }
+
+ private:
+  SlamOptions options_;
+  std::shared_ptr<segmentation::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
+  core::LabelSpace labels_;
+  sources::FrameBuilder frameBuilder_;
+  features::OrbExtractor features_;
+  filters::FilterChain filters_;
+  odometry::Odometry odometry_;
+  std::vector<FrameObserver*> observers_;
+  core::Profiler profiler_;
+};
+
+}  // namespace wardslam::pipeline

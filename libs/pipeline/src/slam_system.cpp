@@ -1,0 +1,49 @@
+#include "wardslam/pipeline/slam_system.h"
+
+#include "wardslam/core/data_files.h"
+#include "wardslam/knowledge/knowledge_graph.h"
+#include "wardslam/segmentation/async_segmenter.h"
+
+namespace wardslam::pipeline {
+namespace {
+
+std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentation::SegmentationOptions& options) {
+  auto segmenter = segmentation::makeSegmenter(options);
+  return segmenter ? std::make_shared<segmentation::AsyncSegmenter>(std::move(segmenter)) : nullptr;
+}
+
+std::shared_ptr<const knowledge::KnowledgeGraph> readKnowledge(const SlamOptions& options) {
+  const auto file = core::findDataFile(options.knowledge.file, options.file);
+  return std::make_shared<knowledge::KnowledgeGraph>(knowledge::KnowledgeGraph::fromFile(file));
+}
+
+}  // namespace
+
+SlamSystem::SlamSystem(const SlamOptions& options)
+    : options_(options),
+      segmenter_(makeAsyncSegmenter(options.segmentation)),
+      labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
+      features_(options.features),
+      filters_(options.filters, {segmenter_, readKnowledge(options)}),
+      odometry_(options.odometry) {}
+
+odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
+  const auto timing = profiler_.measure("pipeline.process");
+  core::Frame frame = profiler_.time("sources.build_frame", [&] { return frameBuilder_.build(observation); });
+  filters_.begin(frame);                                                  // segmentation starts in its own thread,
+  profiler_.time("features.extract", [&] { features_.extract(frame); });  // key points are found meanwhile,
+  profiler_.time("filters.apply", [&] { filters_.apply(frame); });        // and what moves is marked
+  const auto odometry = profiler_.time("odometry.track", [&] {
+    return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));
+  });
+  for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
+  return odometry;
+}
+
+void SlamSystem::finish() {
+  if (segmenter_) segmenter_->finish();
+}
+
+std::string SlamSystem::configuration() const { return writeSlamOptions(options_, filters_); }
+
+}  // namespace wardslam::pipeline
