@@ -49,6 +49,7 @@ std::vector<Detection> suppress(const std::vector<Detection>& detections, const 
   cv::dnn::NMSBoxes(boxes, scores, 0.0F, static_cast<float>(options.nms_iou), kept);
   kept.resize(std::min(kept.size(), static_cast<std::size_t>(options.max_instances)));
   std::vector<Detection> strongest;
+  strongest.reserve(kept.size());
   for (const int index : kept) strongest.push_back(detections[static_cast<std::size_t>(index)]);
   return strongest;
 }
@@ -57,12 +58,14 @@ std::vector<Detection> suppress(const std::vector<Detection>& detections, const 
 class MaskAssembler {
  public:
   MaskAssembler(const cv::Mat& prototypes, const Letterbox& letterbox, double threshold)
-      : prototypes_(prototypes), count_(prototypes.size[1]), size_(prototypes.size[3], prototypes.size[2]) {
+      : prototypes_(prototypes),
+        count_(prototypes.size[1]),
+        size_(prototypes.size[3], prototypes.size[2]),
+        logitThreshold_(std::log(threshold / (1.0 - threshold))) {
     const double strideX = static_cast<double>(letterbox.input_px().width) / size_.width;
     const double strideY = static_cast<double>(letterbox.input_px().height) / size_.height;
     scale_ = {letterbox.scaleX() / strideX, letterbox.scaleY() / strideY};
     offset_ = {letterbox.content_px().x / strideX, letterbox.content_px().y / strideY};
-    logitThreshold_ = std::log(threshold / (1.0 - threshold));  // sigmoid(logit) > threshold
   }
 
   // 255 where the instance is; `box_px` lies in the image and is not empty.
@@ -100,9 +103,9 @@ class MaskAssembler {
   const cv::Mat& prototypes_;
   int count_;
   cv::Size size_;
-  cv::Point2d scale_;   // image pixels to prototype pixels
-  cv::Point2d offset_;  // prototype pixels
-  double logitThreshold_ = 0.0;
+  cv::Point2d scale_;      // image pixels to prototype pixels
+  cv::Point2d offset_;     // prototype pixels
+  double logitThreshold_;  // sigmoid(logit) > threshold where the logit is above this
 };
 
 cv::Rect roundedWithin(const cv::Rect2d& box, const cv::Size& image_px) {

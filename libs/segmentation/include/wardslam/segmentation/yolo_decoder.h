@@ -10,7 +10,7 @@
 namespace wardslam::segmentation {
 
 struct YoloDecoderOptions {
-  double confidence = 0.25;
+  double confidence = 0.15;  ///< Low: a person missed costs more than a wall taken for one.
   double nms_iou = 0.45;
   double mask_threshold = 0.5;
   int max_instances = 100;
