@@ -45,7 +45,7 @@ class PatchSampler {
 
   void sampleInside(std::int32_t x, std::int32_t y, std::int32_t stepX, std::int32_t stepY,
                     core::ClassId* cells) const {
-    const core::ClassId* pixels = classIds_.ptr<core::ClassId>();
+    const auto* pixels = classIds_.ptr<core::ClassId>();
     const auto pitch = static_cast<std::int32_t>(classIds_.step);
     for (int col = 0; col < n_; ++col, x += stepX, y += stepY) {
       cells[col] = pixels[(y >> kFractionBits) * pitch + (x >> kFractionBits)];

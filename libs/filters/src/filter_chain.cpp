@@ -3,6 +3,7 @@
 #include <mrpt/system/os.h>
 
 #include <filesystem>
+#include <sstream>
 
 #include "wardslam/core/nearest_name.h"
 #include "wardslam/filters/register_filters.h"
@@ -27,7 +28,7 @@ std::string textOf(const core::ConfigNode& node) {
 std::string loadPlugin(const core::ConfigNode& item) {
   const core::ConfigNode node = item.child("plugin");
   if (!node.exists()) return {};
-  const std::string written = textOf(node);
+  std::string written = textOf(node);
   const auto file = std::filesystem::absolute(node.file().parent_path() / written);  // an absolute path stays itself
   if (!std::filesystem::exists(file)) node.fail("there is no plug-in " + file.string());
   std::string trouble;
@@ -78,14 +79,14 @@ void FilterChain::apply(core::Frame& frame) {
 
 std::string FilterChain::parameters(int indent) const {
   const std::string margin(2 * static_cast<std::size_t>(indent), ' ');
-  std::string text;
+  std::ostringstream text;
   for (const Link& link : links_) {
-    text += margin + "- class_name: " + link.filter->GetRuntimeClass()->className + "\n";
-    if (!link.plugin.empty()) text += margin + "  plugin: '" + link.plugin + "'\n";
     const std::string parameters = link.filter->parameters(indent + 2);
-    text += margin + (parameters.empty() ? "  params: {}\n" : "  params:\n" + parameters);
+    text << margin << "- class_name: " << link.filter->GetRuntimeClass()->className << "\n";
+    if (!link.plugin.empty()) text << margin << "  plugin: '" << link.plugin << "'\n";
+    text << margin << "  params:" << (parameters.empty() ? " {}\n" : "\n" + parameters);
   }
-  return text;
+  return text.str();
 }
 
 }  // namespace wardslam::filters

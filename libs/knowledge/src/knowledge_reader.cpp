@@ -53,6 +53,11 @@ std::vector<Entry> entriesOf(const ConfigNode& map) {
   return entries;
 }
 
+std::string labelConflict(const std::string& label, const std::string& first, const std::string& second) {
+  return "label '" + label + "' stands for '" + first + "' and '" + second +
+         "', of which one moves otherwise than the other; give it to one of them";
+}
+
 }  // namespace
 
 KnowledgeGraph KnowledgeReader::read() {
@@ -93,7 +98,7 @@ const std::set<std::string>& KnowledgeReader::expand(const std::string& name, Na
   const auto seen = std::find(path.begin(), path.end(), name);
   if (seen != path.end()) {
     std::string circle;
-    for (auto it = seen; it != path.end(); ++it) circle += *it + " > ";
+    for (auto it = seen; it != path.end(); ++it) circle.append(*it).append(" > ");
     node.fail("the sets contain each other in a circle: " + circle + name);
   }
   path.push_back(name);
@@ -131,8 +136,7 @@ void KnowledgeReader::checkLabels() const {
     for (const std::string& label : entity.labels) {
       const auto [owner, isFirst] = owners.emplace(label, name);
       if (isFirst || graph_.entities_.at(owner->second).mobility == entity.mobility) continue;
-      entityNodes_.at(name).fail("label '" + label + "' stands for '" + owner->second + "' and '" + name +
-                                 "', of which one moves otherwise than the other; give it to one of them");
+      entityNodes_.at(name).fail(labelConflict(label, owner->second, name));
     }
   }
 }
