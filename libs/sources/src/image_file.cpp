@@ -43,7 +43,7 @@ bool isCutOff(const Bytes& bytes) {
 Bytes readCompleteFile(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   if (!in || !std::filesystem::is_regular_file(file)) {
-    throw InputDamage("sources.image_missing", file.string() + " is listed but missing");
+    throw InputDamage("sources.image_missing", file.string() + " is missing");
   }
   Bytes bytes(static_cast<std::size_t>(in.tellg()));
   in.seekg(0);

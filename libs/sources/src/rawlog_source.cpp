@@ -2,14 +2,13 @@
 
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
-#include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <regex>
 #include <utility>
 
-#include "image_file.h"
+#include "external_images.h"
 #include "input_damage.h"
 #include "observation_check.h"
 #include "wardslam/core/errors.h"
@@ -27,22 +26,6 @@ std::optional<std::string> unregisteredClass(const std::string& complaint) {
   std::smatch match;
   if (!std::regex_search(complaint, match, kComplaint)) return std::nullopt;
   return match[1].str();
-}
-
-/// Brings externally stored images into memory. Throws InputDamage.
-void loadImages(const CObservation3DRangeScan& scan) {
-  if (scan.intensityImage.isExternallyStored()) {
-    requireCompleteImage(scan.intensityImage.getExternalStorageFileAbsolutePath());
-  }
-  if (scan.rangeImage_isExternallyStored()) {
-    const std::string file = scan.rangeImage_getExternalStorageFileAbsolutePath("");
-    if (!fs::exists(file)) throw InputDamage("sources.image_missing", file + " is referred to but missing");
-  }
-  try {
-    scan.load();
-  } catch (const std::exception&) {
-    throw InputDamage("sources.image_unreadable", "an externally stored image cannot be read");
-  }
 }
 
 void replaceCamera(CObservation3DRangeScan& scan, const core::CameraModel& camera) {
@@ -99,8 +82,7 @@ class RawlogSource::Stream {
 RawlogSource::RawlogSource(const fs::path& file, const SourceOptions& options)
     : file_(file), stream_(std::make_unique<Stream>(file)), damage_(std::make_unique<DamageLog>(options.warn)) {
   if (options.camera) camera_ = readRgbdCamera(*options.camera);
-  const std::string images = mrpt::obs::CRawlog::detectImagesDirectory(file.string());
-  if (fs::is_directory(images)) mrpt::img::CImage::setImagesPathBase(images);
+  if (const auto images = findImageFolder(file)) mrpt::img::CImage::setImagesPathBase(images->string());
   first_ = readScan();
   if (!first_) failWithoutScans();
 }

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+namespace mrpt::obs {
+class CObservation;
+}
+
+namespace wardslam::sources {
+
+/// Writes observations as a gz-compressed MRPT rawlog that is complete or absent: the data go to "<file>.partial",
+/// which commit() renames and the destructor removes.
+///
+/// Images are embedded without loss. MRPT has one switch for this in the process (CImage::DISABLE_JPEG_COMPRESSION);
+/// the constructor sets it.
+class RawlogWriter {
+ public:
+  /// Throws core::InputError when the file cannot be created.
+  explicit RawlogWriter(std::filesystem::path file);
+  ~RawlogWriter();
+  RawlogWriter(const RawlogWriter&) = delete;
+  RawlogWriter& operator=(const RawlogWriter&) = delete;
+
+  /// Throws core::InputError when the disk does not take it.
+  void write(const mrpt::obs::CObservation& observation);
+  void commit();
+
+ private:
+  class Output;
+
+  std::filesystem::path file_;
+  std::filesystem::path partial_;
+  std::unique_ptr<Output> output_;
+};
+
+}  // namespace wardslam::sources

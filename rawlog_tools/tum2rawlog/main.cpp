@@ -1,0 +1,75 @@
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "support/interruption.h"
+#include "support/program.h"
+#include "support/progress.h"
+#include "wardslam/core/errors.h"
+#include "wardslam/sources/observation_source.h"
+#include "wardslam/sources/rawlog_writer.h"
+
+namespace wardslam::apps {
+namespace {
+
+struct Arguments {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::filesystem::path camera;
+};
+
+void warn(const std::string& sentence) { std::cerr << "tum2rawlog: " << sentence << "\n"; }
+
+/// Observations copied. Throws when interrupted.
+std::size_t copyAll(sources::ObservationSource& source, sources::RawlogWriter& rawlog) {
+  const InterruptionGuard interruption;
+  Progress progress(std::cerr, standardErrorIsTerminal(), "frame", source.size());
+  std::size_t copied = 0;
+  while (const auto observation = source.next()) {
+    if (interruption.requested()) throw core::InputError("interrupted; no rawlog was written");
+    rawlog.write(*observation);
+    progress.update(++copied);
+  }
+  return copied;
+}
+
+int convert(const Arguments& arguments) {
+  sources::SourceOptions options;
+  if (!arguments.camera.empty()) options.camera = arguments.camera;
+  options.warn = warn;
+  const auto source = sources::openSource(arguments.input, options);
+  sources::RawlogWriter rawlog(arguments.output);
+  const std::size_t copied = copyAll(*source, rawlog);
+  if (copied == 0) throw core::InputError(arguments.input.string() + ": no image pair could be read");
+  rawlog.commit();
+
+  std::cout << arguments.output.string() << ": " << copied << " observations\n";
+  if (source->damage().empty()) return kSuccess;
+  warn("parts of the input could not be read; the rawlog holds the rest");
+  return kFailure;
+}
+
+}  // namespace
+}  // namespace wardslam::apps
+
+int main(int argc, char** argv) {
+  using namespace wardslam::apps;
+  return runProgram("tum2rawlog", [&]() -> int {
+    CLI::App app("Turns a sequence in the layout of the TUM RGB-D benchmark into an MRPT rawlog", "tum2rawlog");
+    app.set_version_flag("--version", "tum2rawlog " WARDSLAM_VERSION);
+    Arguments arguments;
+    app.add_option("TUM_DIR", arguments.input, "folder with rgb.txt and depth.txt, or associations.txt")->required();
+    app.add_option("-o,--output", arguments.output, "rawlog to write; images are embedded without loss")->required();
+    app.add_option("--camera", arguments.camera, "calibration (YAML); replaces the folder's camera.yaml");
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() != 0) throw UsageError(std::string(error.what()) + " (see tum2rawlog --help)");
+      return app.exit(error);  // prints the help or the version that was asked for
+    }
+    return convert(arguments);
+  });
+}
