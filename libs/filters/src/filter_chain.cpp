@@ -77,6 +77,10 @@ void FilterChain::apply(core::Frame& frame) {
   for (const Link& link : links_) link.filter->apply(frame);
 }
 
+void FilterChain::end(const core::Frame& frame, const std::optional<Eigen::Isometry3d>& T_map_cam) {
+  for (const Link& link : links_) link.filter->end(frame, T_map_cam);
+}
+
 std::string FilterChain::parameters(int indent) const {
   const std::string margin(2 * static_cast<std::size_t>(indent), ' ');
   std::ostringstream text;

@@ -1,4 +1,4 @@
-#include "keypoint_grid.h"
+#include "wardslam/odometry/keypoint_grid.h"
 
 #include <algorithm>
 

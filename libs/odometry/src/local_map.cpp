@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "wardslam/odometry/depth_noise.h"
 
@@ -33,12 +32,6 @@ Eigen::Vector3d measuredPoint_map(const core::Keypoint& keypoint, const core::Ca
 }
 
 }  // namespace
-
-OrbDescriptor descriptorOf(const core::Features& features, std::size_t keypoint) {
-  OrbDescriptor descriptor;
-  std::memcpy(descriptor.data(), features.descriptors.ptr(static_cast<int>(keypoint)), descriptor.size());
-  return descriptor;
-}
 
 PointId LocalMap::add(const core::Keypoint& keypoint, const OrbDescriptor& descriptor, const core::CameraModel& camera,
                       const Eigen::Isometry3d& T_map_cam, std::uint64_t frame) {

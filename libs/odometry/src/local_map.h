@@ -10,13 +10,10 @@
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/keypoint.h"
 #include "wardslam/odometry/keyframe.h"
+#include "wardslam/odometry/matcher.h"
 #include "wardslam/odometry/odometry_options.h"
 
 namespace wardslam::odometry {
-
-using OrbDescriptor = std::array<std::uint8_t, 32>;
-
-[[nodiscard]] OrbDescriptor descriptorOf(const core::Features& features, std::size_t keypoint);
 
 /// A static place in the world that looks the same from image to image.
 struct MapPoint {
@@ -28,14 +25,6 @@ struct MapPoint {
   std::uint64_t lastSeenFrame = 0;
   int timesVisible = 1;  ///< Images in which it should have been found.
   int timesFound = 1;    ///< Images in which it was.
-};
-
-/// A map point as it should appear in an image.
-struct ProjectedPoint {
-  PointId id = 0;
-  const OrbDescriptor* descriptor = nullptr;
-  Eigen::Vector2d undistorted_px = Eigen::Vector2d::Zero();
-  double scale = 1.0;  ///< Predicted Keypoint::scale.
 };
 
 /// The points tracking works against: bounded in number, forgetting what was not seen for longest.

@@ -1,4 +1,4 @@
-#include "matcher.h"
+#include "wardslam/odometry/matcher.h"
 
 #include <cstring>
 #include <limits>
@@ -44,10 +44,10 @@ std::optional<Candidate> bestCandidate(const ProjectedPoint& point, const core::
   return best;
 }
 
-cv::Mat stackDescriptors(const std::vector<PointId>& ids, const LocalMap& map) {
-  cv::Mat descriptors(static_cast<int>(ids.size()), sizeof(OrbDescriptor), CV_8UC1);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    std::memcpy(descriptors.ptr(static_cast<int>(i)), map.find(ids[i])->descriptor.data(), sizeof(OrbDescriptor));
+cv::Mat stackDescriptors(const std::vector<DescribedPoint>& points) {
+  cv::Mat descriptors(static_cast<int>(points.size()), sizeof(OrbDescriptor), CV_8UC1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::memcpy(descriptors.ptr(static_cast<int>(i)), points[i].descriptor->data(), sizeof(OrbDescriptor));
   }
   return descriptors;
 }
@@ -74,11 +74,11 @@ std::vector<Match> Matcher::searchNear(const std::vector<ProjectedPoint>& points
   return matches;
 }
 
-std::vector<Match> Matcher::searchEverywhere(const std::vector<PointId>& ids, const LocalMap& map,
+std::vector<Match> Matcher::searchEverywhere(const std::vector<DescribedPoint>& points,
                                              const core::Features& features) const {
-  if (ids.empty() || features.size() < 2) return {};
+  if (points.empty() || features.size() < 2) return {};
   const cv::BFMatcher bruteForce(cv::NORM_HAMMING);
-  const cv::Mat pointDescriptors = stackDescriptors(ids, map);
+  const cv::Mat pointDescriptors = stackDescriptors(points);
   std::vector<std::vector<cv::DMatch>> forward;
   std::vector<cv::DMatch> backward;
   bruteForce.knnMatch(pointDescriptors, features.descriptors, forward, 2);
@@ -91,7 +91,8 @@ std::vector<Match> Matcher::searchEverywhere(const std::vector<PointId>& ids, co
         static_cast<double>(best[0].distance) <= options_.max_ratio * static_cast<double>(best[1].distance);
     const bool isMutual = backward[static_cast<std::size_t>(best[0].trainIdx)].trainIdx == best[0].queryIdx;
     if (isSimilar && isClear && isMutual) {
-      matches.push_back({ids[static_cast<std::size_t>(best[0].queryIdx)], static_cast<std::size_t>(best[0].trainIdx)});
+      matches.push_back(
+          {points[static_cast<std::size_t>(best[0].queryIdx)].id, static_cast<std::size_t>(best[0].trainIdx)});
     }
   }
   return matches;

@@ -5,10 +5,10 @@
 #include <set>
 #include <utility>
 
-#include "keypoint_grid.h"
 #include "local_map.h"
-#include "matcher.h"
-#include "pose_solver.h"
+#include "wardslam/odometry/keypoint_grid.h"
+#include "wardslam/odometry/matcher.h"
+#include "wardslam/odometry/pose_solver.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -62,7 +62,7 @@ class Odometry::Tracker {
   [[nodiscard]] Tracking find(const View& view) const;
   [[nodiscard]] Tracking trackByMotion(const View& view) const;
   [[nodiscard]] Tracking trackLocalMap(const View& view, const Eigen::Isometry3d& T_cam_map) const;
-  [[nodiscard]] Tracking relocalise(const View& view, const std::vector<PointId>& points) const;
+  [[nodiscard]] Tracking relocalise(const View& view) const;
   [[nodiscard]] Tracking estimate(const View& view, const std::vector<Match>& matches,
                                   const Eigen::Isometry3d& T_cam_map) const;
   [[nodiscard]] std::vector<PointObservation> observe(const View& view, const std::vector<Match>& matches) const;
@@ -108,9 +108,7 @@ Tracking Odometry::Tracker::find(const View& view) const {
     const Tracking tracking = trackByMotion(view);
     if (isGood(tracking)) return trackLocalMap(view, tracking.T_cam_map);
   }
-  std::vector<PointId> all;
-  for (const auto& [id, point] : map_.points()) all.push_back(id);
-  const Tracking tracking = relocalise(view, all);
+  const Tracking tracking = relocalise(view);
   return isGood(tracking) ? trackLocalMap(view, tracking.T_cam_map) : tracking;
 }
 
@@ -140,8 +138,10 @@ Tracking Odometry::Tracker::trackLocalMap(const View& view, const Eigen::Isometr
   return estimate(view, matches, T_cam_map);
 }
 
-Tracking Odometry::Tracker::relocalise(const View& view, const std::vector<PointId>& points) const {
-  const auto matches = matcher_.searchEverywhere(points, map_, view.features);
+Tracking Odometry::Tracker::relocalise(const View& view) const {
+  std::vector<DescribedPoint> points;
+  for (const auto& [id, point] : map_.points()) points.push_back({id, &point.descriptor});
+  const auto matches = matcher_.searchEverywhere(points, view.features);
   const PoseEstimate pose = solver_.solve(observe(view, matches), view.camera);
   return estimate(view, matches, pose.T_cam_map);
 }

@@ -1,4 +1,4 @@
-#include "pose_solver.h"
+#include "wardslam/odometry/pose_solver.h"
 
 #include <ceres/ceres.h>
 

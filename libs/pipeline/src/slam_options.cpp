@@ -21,6 +21,7 @@ SlamOptions readSlamOptions(const std::filesystem::path& file) {
 std::string writeSlamOptions(const SlamOptions& options, const filters::FilterChain& chain) {
   core::OptionWriter writer;
   SlamOptions::describe(options, writer);
+  if (chain.empty()) return writer.text() + "filters: []\n";
   writer.block("filters", chain.parameters(1));
   return writer.text();
 }

@@ -36,6 +36,7 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   const auto odometry = profiler_.time("odometry.track", [&] {
     return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));
   });
+  filters_.end(frame, odometry.pose());
   for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
   return odometry;
 }

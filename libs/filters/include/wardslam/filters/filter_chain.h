@@ -29,6 +29,9 @@ class FilterChain {
   /// After key points are extracted: every filter marks the frame.
   void apply(core::Frame& frame);
 
+  /// After tracking: tells every filter where the camera was.
+  void end(const core::Frame& frame, const std::optional<Eigen::Isometry3d>& T_map_cam);
+
   [[nodiscard]] bool empty() const { return links_.empty(); }
   [[nodiscard]] std::size_t size() const { return links_.size(); }
 

@@ -2,7 +2,9 @@
 
 #include <mrpt/rtti/CObject.h>
 
+#include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "wardslam/core/frame.h"
@@ -40,6 +42,10 @@ class ObservationFilter : public mrpt::rtti::CObject {
 
   /// Mark the frame. Trouble goes to Frame::events.
   virtual void apply(core::Frame& frame) = 0;
+
+  /// After tracking: where the camera was, p_map = T_map_cam * p_cam; nothing while it is lost. The map may be
+  /// corrected between frames, so poses of different frames agree only nearly.
+  virtual void end(const core::Frame& /*frame*/, const std::optional<Eigen::Isometry3d>& /*T_map_cam*/) {}
 
   /// The parameters in effect as YAML (core::writeOptions) with the given indentation.
   [[nodiscard]] virtual std::string parameters(int indent) const = 0;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "wardslam/core/camera_model.h"
@@ -25,6 +26,9 @@ struct OdometryResult {
   std::shared_ptr<const Keyframe> keyframe;                     ///< Set when new points were added to the local map.
 
   [[nodiscard]] bool hasPose() const { return state == State::Ok; }
+  [[nodiscard]] std::optional<Eigen::Isometry3d> pose() const {
+    return hasPose() ? std::optional(T_map_cam) : std::nullopt;
+  }
 };
 
 /// RGB-D visual odometry on ORB key points against a local map of points. It sees key points that are static and

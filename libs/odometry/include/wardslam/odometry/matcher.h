@@ -3,10 +3,26 @@
 #include <cstddef>
 #include <vector>
 
-#include "keypoint_grid.h"
-#include "local_map.h"
+#include "wardslam/odometry/keyframe.h"
+#include "wardslam/odometry/keypoint_grid.h"
+#include "wardslam/odometry/odometry_options.h"
+#include "wardslam/odometry/orb_descriptor.h"
 
 namespace wardslam::odometry {
+
+/// A map point as it should appear in an image.
+struct ProjectedPoint {
+  PointId id = 0;
+  const OrbDescriptor* descriptor = nullptr;
+  Eigen::Vector2d undistorted_px = Eigen::Vector2d::Zero();
+  double scale = 1.0;  ///< Predicted Keypoint::scale.
+};
+
+/// A map point by its looks alone.
+struct DescribedPoint {
+  PointId id = 0;
+  const OrbDescriptor* descriptor = nullptr;
+};
 
 /// A map point and the key point in which it was recognised.
 struct Match {
@@ -25,7 +41,7 @@ class Matcher {
                                               const KeypointGrid& grid, double radius_px) const;
 
   /// Looks for the points everywhere in the image: mutual best matches that pass the ratio test.
-  [[nodiscard]] std::vector<Match> searchEverywhere(const std::vector<PointId>& ids, const LocalMap& map,
+  [[nodiscard]] std::vector<Match> searchEverywhere(const std::vector<DescribedPoint>& points,
                                                     const core::Features& features) const;
 
  private:
