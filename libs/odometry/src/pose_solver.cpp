@@ -38,6 +38,10 @@ class ErrorModel {
     return error(observation).squared(pose, observation.p_map_m) < chiSquareOf(observation.keypoint);
   }
 
+  [[nodiscard]] bool isInFront(const PointObservation& observation, const PoseVector& pose) const {
+    return std::isfinite(error(observation).squared(pose, observation.p_map_m));
+  }
+
  private:
   [[nodiscard]] ObservationError error(const PointObservation& observation) const {
     return {observation.keypoint, camera_, options_.pixel_sigma_px, options_.depth_sigma_scale};
@@ -77,7 +81,8 @@ PoseEstimate PoseSolver::refine(const std::vector<PointObservation>& observation
 
   const ErrorModel model(options_, camera);
   PoseVector pose = toPoseVector(T_cam_map_guess);
-  std::vector<bool> use(observations.size(), true);
+  std::vector<bool> use;
+  for (const auto& observation : observations) use.push_back(model.isInFront(observation, pose));
   for (const bool robust : {true, true, false}) {
     minimise(observations, use, robust, model, options_.max_iterations, pose);
     for (std::size_t i = 0; i < observations.size(); ++i) use[i] = model.isInlier(observations[i], pose);
