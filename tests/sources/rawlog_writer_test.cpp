@@ -46,9 +46,17 @@ TEST_F(WrittenRawlog, CannotBeCreatedInAMissingFolder) {
 }
 
 TEST_F(WrittenRawlog, CannotReplaceAFolder) {
-  std::filesystem::create_directories(file / "full");
+  std::filesystem::create_directory(file);
+  EXPECT_THAT([&] { RawlogWriter writer(file); }, ThrowsMessage<core::InputError>(HasSubstr("no file")));
+  EXPECT_TRUE(std::filesystem::is_directory(file));
+}
+
+TEST_F(WrittenRawlog, ReplacesAFile) {
+  folder.write("out.rawlog", "something else");
   RawlogWriter writer(file);
-  EXPECT_THAT([&] { writer.commit(); }, ThrowsMessage<core::InputError>(HasSubstr("cannot be replaced")));
+  writer.write(*test::makeScan());
+  writer.commit();
+  EXPECT_TRUE(RawlogSource(file, {}).next());
 }
 
 }  // namespace

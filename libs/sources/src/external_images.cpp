@@ -2,10 +2,9 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include <array>
-#include <fstream>
 #include <string>
 
+#include "gzip_file.h"
 #include "image_file.h"
 #include "input_damage.h"
 
@@ -18,14 +17,9 @@ using mrpt::obs::CObservation3DRangeScan;
 /// MRPT writes little more than the matrix itself: its size and a few bytes of header.
 constexpr std::uint64_t kMaxMatrixHeader_bytes = 64;
 
-/// MRPT fills up a matrix from a file that was cut off without a word. A gz file ends with the size of its content.
+/// MRPT fills up a matrix from a file that was cut off without a word.
 bool isCutOff(const fs::path& file, std::uint64_t matrix_bytes) {
-  std::ifstream in(file, std::ios::binary);
-  std::array<unsigned char, 4> size{};
-  in.seekg(-static_cast<std::streamoff>(size.size()), std::ios::end);
-  in.read(reinterpret_cast<char*>(size.data()), static_cast<std::streamsize>(size.size()));
-  if (!in) return true;
-  const std::uint64_t content_bytes = size[0] | size[1] << 8U | size[2] << 16U | std::uint64_t{size[3]} << 24U;
+  const std::uint64_t content_bytes = gzipContentSize(file).value_or(0);
   const auto holds = [&](std::uint64_t bytes) {
     return content_bytes >= bytes && content_bytes <= bytes + kMaxMatrixHeader_bytes;
   };

@@ -16,7 +16,7 @@ namespace wardslam::sources {
 /// the constructor sets it.
 class RawlogWriter {
  public:
-  /// Throws core::InputError when the file cannot be created.
+  /// Replaces a file that is there, once complete. Throws core::InputError when the file cannot be created.
   explicit RawlogWriter(std::filesystem::path file);
   ~RawlogWriter();
   RawlogWriter(const RawlogWriter&) = delete;
@@ -32,6 +32,7 @@ class RawlogWriter {
   std::filesystem::path file_;
   std::filesystem::path partial_;
   std::unique_ptr<Output> output_;
+  bool isCommitted_ = false;
 };
 
 }  // namespace wardslam::sources
