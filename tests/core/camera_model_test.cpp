@@ -1,13 +1,10 @@
 #include "wardslam/core/camera_model.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <mrpt/img/TCamera.h>
 
 #include <opencv2/calib3d.hpp>
 
-#include "support/temporary_folder.h"
-#include "wardslam/core/errors.h"
 #include "wardslam/core/options.h"
 
 namespace wardslam::core {
@@ -89,17 +86,11 @@ TEST(CameraModel, GoesThroughMrptUnchanged) {
   EXPECT_EQ(toMrpt(camera).fy(), camera.fy_px);
 }
 
-TEST(CameraModel, IsReadFromAFile) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.write("camera.yaml", writeOptions(distortingCamera()));
-  EXPECT_EQ(writeOptions(readCameraFile(file)), writeOptions(distortingCamera()));
-}
-
-TEST(CameraModel, BadFileIsNamedWithLineAndKey) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.write("camera.yaml", "width: 640\nfx: -525\n");
-  EXPECT_THAT([&] { return readCameraFile(file); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr("camera.yaml:2: 'fx': -525 is outside")));
+TEST(CameraModel, OfAnMrptCameraWithoutLensModelIgnoresItsCoefficients) {
+  mrpt::img::TCamera camera = toMrpt(distortingCamera());
+  camera.distortion = mrpt::img::DistortionModel::none;
+  EXPECT_FALSE(fromMrpt(camera).hasDistortion());
+  EXPECT_EQ(fromMrpt(camera).fx_px, distortingCamera().fx_px);
 }
 
 }  // namespace

@@ -42,6 +42,11 @@ TEST_F(RgbdCameraFile, MustNameItsFocalLength) {
               ThrowsMessage<core::InputError>(AllOf(HasSubstr("camera.yaml"), HasSubstr("'fx' is missing"))));
 }
 
+TEST_F(RgbdCameraFile, RefusesANegativeFocalLength) {
+  EXPECT_THAT([&] { return read("width: 640\nheight: 480\nfx: -525\nfy: 1\ncx: 1\ncy: 1\n"); },
+              ThrowsMessage<core::InputError>(HasSubstr("camera.yaml:3: 'fx': -525 is outside")));
+}
+
 TEST_F(RgbdCameraFile, NamesTheNearestKeyOfAMisspeltOne) {
   EXPECT_THAT([&] { return read(kPinhole + "depth_facter: 5000\n"); },
               ThrowsMessage<core::InputError>(AllOf(HasSubstr("camera.yaml:7"), HasSubstr("'depth_factor'"))));

@@ -4,8 +4,6 @@
 
 #include <opencv2/calib3d.hpp>
 
-#include "wardslam/core/options.h"
-
 namespace wardslam::core {
 
 std::vector<cv::Point2f> CameraModel::undistort(const std::vector<cv::Point2f>& raw_px) const {
@@ -28,12 +26,6 @@ Eigen::Vector2d CameraModel::projectDistorted(const Eigen::Vector3d& p_cam) cons
   return {fx_px * xd + cx_px, fy_px * yd + cy_px};
 }
 
-CameraModel readCameraFile(const std::filesystem::path& file) {
-  CameraModel camera;
-  readOptions(ConfigNode::fromFile(file), camera);
-  return camera;
-}
-
 CameraModel fromMrpt(const mrpt::img::TCamera& camera) {
   CameraModel model;
   model.width_px = static_cast<int>(camera.ncols);
@@ -42,6 +34,7 @@ CameraModel fromMrpt(const mrpt::img::TCamera& camera) {
   model.fy_px = camera.fy();
   model.cx_px = camera.cx();
   model.cy_px = camera.cy();
+  if (camera.distortion == mrpt::img::DistortionModel::none) return model;  // MRPT then ignores the coefficients
   model.k1 = camera.k1();
   model.k2 = camera.k2();
   model.p1 = camera.p1();

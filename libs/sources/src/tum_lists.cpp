@@ -88,12 +88,14 @@ std::vector<ImagePair> pairsFromAssociations(const fs::path& folder, const fs::p
   const std::size_t color = namesDepthFirst(lines.front(), folder) ? 1 : 0;
   requireIncreasing(lines, color, list);
   std::vector<ImagePair> pairs;
+  pairs.reserve(lines.size());
   for (const ListLine& line : lines) pairs.push_back({line.entries[color], line.entries[1 - color], list, line.number});
   return pairs;
 }
 
 std::vector<double> stampsOf(const std::vector<ListLine>& lines) {
   std::vector<double> stamps_s;
+  stamps_s.reserve(lines.size());
   for (const ListLine& line : lines) stamps_s.push_back(line.entries[0].stamp_s);
   return stamps_s;
 }

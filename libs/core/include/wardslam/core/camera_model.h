@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <filesystem>
 #include <opencv2/core/types.hpp>
 #include <vector>
 
@@ -47,9 +46,6 @@ struct CameraModel {
   /// Raw-image pixel of a point in the camera frame (m, z > 0), lens distortion applied.
   [[nodiscard]] Eigen::Vector2d projectDistorted(const Eigen::Vector3d& p_cam) const;
 };
-
-/// Reads a camera file (see config/cameras/). Throws InputError naming file, line and key.
-[[nodiscard]] CameraModel readCameraFile(const std::filesystem::path& file);
 
 [[nodiscard]] CameraModel fromMrpt(const mrpt::img::TCamera& camera);
 [[nodiscard]] mrpt::img::TCamera toMrpt(const CameraModel& camera);

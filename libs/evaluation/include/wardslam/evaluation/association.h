@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "wardslam/core/stamp_association.h"
 #include "wardslam/core/trajectory.h"
 
 namespace wardslam::evaluation {
@@ -13,12 +14,9 @@ struct PosePair {
   std::size_t estimate = 0;
 };
 
-/// How far apart in time two poses may be to be compared, as in the TUM RGB-D benchmark.
-inline constexpr double kMaxDifference_s = 0.02;
-
 /// One-to-one, in order of ground truth: of all pairs closer than `maxDifference_s` (strictly) the closest is taken
 /// first, as associate.py of the TUM RGB-D benchmark does.
 [[nodiscard]] std::vector<PosePair> associate(const core::Trajectory& groundTruth, const core::Trajectory& estimate,
-                                              double maxDifference_s = kMaxDifference_s);
+                                              double maxDifference_s = core::kMaxStampDifference_s);
 
 }  // namespace wardslam::evaluation
