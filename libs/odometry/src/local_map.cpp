@@ -1,49 +1,22 @@
 #include "local_map.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "wardslam/odometry/depth_noise.h"
+#include <set>
 
 namespace wardslam::odometry {
-namespace {
 
-constexpr double kMinViewCosine = 0.5;  // ORB tells little beyond 60 degrees of turning
-
-/// Inverse covariance, in the map frame, of the point that a key point with depth measures.
-Eigen::Matrix3d measurementInformation(const core::Keypoint& keypoint, const core::CameraModel& camera,
-                                       const Eigen::Matrix3d& R_map_cam) {
-  const double z_m = keypoint.depth_m;
-  const double sigma_z_m = kinectDepthSigma_m(z_m);
-  const double sigma_xy_m = z_m / camera.fx_px * static_cast<double>(keypoint.scale);
-  const Eigen::Vector3d ray(keypoint.undistorted_px.x, keypoint.undistorted_px.y, 1.0);
-  const Eigen::Vector3d direction = camera.unproject(ray.head<2>(), 1.0);
-  Eigen::Matrix3d J = Eigen::Matrix3d::Identity();  // d p_cam / d (x, y at z; z)
-  J.col(2) = direction;
-  const Eigen::Vector3d variance(sigma_xy_m * sigma_xy_m, sigma_xy_m * sigma_xy_m, sigma_z_m * sigma_z_m);
-  const Eigen::Matrix3d covariance_cam = J * variance.asDiagonal() * J.transpose();
-  return R_map_cam * covariance_cam.inverse() * R_map_cam.transpose();
-}
-
-Eigen::Vector3d measuredPoint_map(const core::Keypoint& keypoint, const core::CameraModel& camera,
-                                  const Eigen::Isometry3d& T_map_cam) {
-  return T_map_cam * camera.unproject({keypoint.undistorted_px.x, keypoint.undistorted_px.y},
-                                      static_cast<double>(keypoint.depth_m));
-}
-
-}  // namespace
-
-PointId LocalMap::add(const core::Keypoint& keypoint, const OrbDescriptor& descriptor, const core::CameraModel& camera,
-                      const Eigen::Isometry3d& T_map_cam, std::uint64_t frame) {
-  MapPoint point;
-  point.p_map_m = measuredPoint_map(keypoint, camera, T_map_cam);
-  point.information_per_m2 = measurementInformation(keypoint, camera, T_map_cam.linear());
-  point.viewedFrom_map_m = T_map_cam.translation();
-  point.descriptor = descriptor;
-  point.scale = static_cast<double>(keypoint.scale);
-  point.lastSeenFrame = frame;
+PointId LocalMap::add(const MapPoint& point) {
   points_.emplace(nextId_, point);
   return nextId_++;
+}
+
+void LocalMap::addKeyframe(KeyframeId id, const std::vector<PointId>& points) {
+  auto& seen = keyframes_[id];
+  for (const PointId point : points) {
+    if (points_.count(point) == 0) continue;
+    seen.push_back(point);
+    seenBy_[point].push_back(id);
+  }
 }
 
 const MapPoint* LocalMap::find(PointId id) const {
@@ -51,22 +24,25 @@ const MapPoint* LocalMap::find(PointId id) const {
   return found == points_.end() ? nullptr : &found->second;
 }
 
-std::optional<ProjectedPoint> LocalMap::project(PointId id, const core::CameraModel& camera,
-                                                const Eigen::Isometry3d& T_cam_map) const {
-  const MapPoint& point = points_.at(id);
-  const Eigen::Vector3d p_cam_m = T_cam_map * point.p_map_m;
-  if (p_cam_m.z() < 0.1) return std::nullopt;
-  const Eigen::Vector2d undistorted_px = camera.project(p_cam_m);
-  if (undistorted_px.x() < 0 || undistorted_px.x() > camera.width_px - 1 || undistorted_px.y() < 0 ||
-      undistorted_px.y() > camera.height_px - 1) {
-    return std::nullopt;
+std::vector<PointId> LocalMap::neighbourhood(const std::vector<PointId>& seeds) const {
+  std::map<KeyframeId, std::size_t> votes;
+  for (const PointId seed : seeds) {
+    const auto seenBy = seenBy_.find(seed);
+    if (seenBy == seenBy_.end()) continue;
+    for (const KeyframeId keyframe : seenBy->second) ++votes[keyframe];
   }
-  const Eigen::Vector3d fromReference_m = point.p_map_m - point.viewedFrom_map_m;
-  const Eigen::Vector3d fromCamera_m = T_cam_map.linear().transpose() * p_cam_m;
-  const double referenceDistance_m = fromReference_m.norm();
-  const double distance_m = fromCamera_m.norm();
-  if (fromReference_m.dot(fromCamera_m) < kMinViewCosine * referenceDistance_m * distance_m) return std::nullopt;
-  return ProjectedPoint{id, &point.descriptor, undistorted_px, point.scale * referenceDistance_m / distance_m};
+  std::vector<std::pair<std::size_t, KeyframeId>> ranking;
+  for (const auto& [keyframe, count] : votes) ranking.emplace_back(count, keyframe);
+  std::sort(ranking.rbegin(), ranking.rend());
+  ranking.resize(std::min(ranking.size(), static_cast<std::size_t>(options_.max_neighbours)));
+
+  std::set<PointId> points;
+  for (const auto& [count, keyframe] : ranking) {
+    for (const PointId point : keyframes_.at(keyframe)) {
+      if (points_.count(point) != 0) points.insert(point);
+    }
+  }
+  return {points.begin(), points.end()};
 }
 
 void LocalMap::observe(PointId id, const core::Keypoint& keypoint, const core::CameraModel& camera,
@@ -74,42 +50,74 @@ void LocalMap::observe(PointId id, const core::Keypoint& keypoint, const core::C
   MapPoint& point = points_.at(id);
   point.lastSeenFrame = frame;
   ++point.timesFound;
-  if (!keypoint.hasDepth() || point.timesFound > options_.max_fused) return;
-  const Eigen::Matrix3d information = measurementInformation(keypoint, camera, T_map_cam.linear());
-  const Eigen::Matrix3d sum = point.information_per_m2 + information;
-  const Eigen::Vector3d measured_map_m = measuredPoint_map(keypoint, camera, T_map_cam);
-  point.p_map_m += sum.ldlt().solve(information * (measured_map_m - point.p_map_m));
-  point.information_per_m2 = sum;
+  if (keypoint.hasDepth() && point.timesFound <= options_.max_fused)
+    fuseMeasurement(point, keypoint, camera, T_map_cam);
 }
 
-void LocalMap::updateAppearance(PointId id, const core::Keypoint& keypoint, const OrbDescriptor& descriptor,
-                                const Eigen::Isometry3d& T_map_cam) {
-  MapPoint& point = points_.at(id);
-  point.descriptor = descriptor;
-  point.scale = static_cast<double>(keypoint.scale);
-  point.viewedFrom_map_m = T_map_cam.translation();
+void LocalMap::describe(PointId id, const core::Keypoint& keypoint, const OrbDescriptor& descriptor,
+                        const Eigen::Isometry3d& T_map_cam) {
+  describeFrom(points_.at(id), keypoint, descriptor, T_map_cam);
 }
 
 void LocalMap::apply(const MapUpdate& update) {
-  for (const auto& [id, p_map_m] : update.p_map_m) {
-    if (const auto point = points_.find(id); point != points_.end()) point->second.p_map_m = p_map_m;
+  for (const auto& [id, point] : update.recalledPoints) points_.emplace(id, point);
+  for (const auto& [id, points] : update.recalledKeyframes) {
+    if (keyframes_.count(id) == 0) addKeyframe(id, points);
   }
-  for (const PointId id : update.removedPoints) points_.erase(id);
+  for (const auto& [from, into] : update.fusedPoints) fuse(from, into);
+  for (const auto& [id, p_map_m] : update.p_map_m) {
+    const auto point = points_.find(id);
+    if (point == points_.end()) continue;
+    point->second.viewedFrom_map_m += p_map_m - point->second.p_map_m;
+    point->second.p_map_m = p_map_m;
+  }
+  for (const PointId id : update.removedPoints) remove(id);
 }
 
 void LocalMap::cull() {
-  for (auto it = points_.begin(); it != points_.end();) {
-    const bool isUnreliable = it->second.timesFound < options_.min_found_ratio * it->second.timesVisible;
-    it = isUnreliable ? points_.erase(it) : std::next(it);
+  std::vector<PointId> unreliable;
+  for (const auto& [id, point] : points_) {
+    if (point.timesFound < options_.min_found_ratio * point.timesVisible) unreliable.push_back(id);
   }
+  for (const PointId id : unreliable) remove(id);
+  forgetOldest();
+}
+
+void LocalMap::clear() {
+  points_.clear();
+  seenBy_.clear();
+  keyframes_.clear();
+}
+
+void LocalMap::remove(PointId id) {
+  points_.erase(id);
+  seenBy_.erase(id);
+}
+
+void LocalMap::fuse(PointId from, PointId into) {
+  const auto seenBy = seenBy_.find(from);
+  if (seenBy != seenBy_.end() && points_.count(into) != 0) {
+    for (const KeyframeId keyframe : seenBy->second) {
+      keyframes_.at(keyframe).push_back(into);
+      seenBy_[into].push_back(keyframe);
+    }
+  }
+  remove(from);
+}
+
+void LocalMap::forgetOldest() {
   const auto limit = static_cast<std::size_t>(options_.max_points);
   if (points_.size() <= limit) return;
-  std::vector<std::uint64_t> lastSeen;
-  for (const auto& [id, point] : points_) lastSeen.push_back(point.lastSeenFrame);
-  const auto oldestKept = lastSeen.begin() + static_cast<std::ptrdiff_t>(lastSeen.size() - limit);
-  std::nth_element(lastSeen.begin(), oldestKept, lastSeen.end());
-  for (auto it = points_.begin(); it != points_.end();) {
-    it = it->second.lastSeenFrame < *oldestKept ? points_.erase(it) : std::next(it);
+  std::vector<std::pair<std::uint64_t, PointId>> byAge;
+  for (const auto& [id, point] : points_) byAge.emplace_back(point.lastSeenFrame, id);
+  std::sort(byAge.begin(), byAge.end());
+  byAge.resize(byAge.size() - limit);
+  for (const auto& [frame, id] : byAge) remove(id);
+  for (auto it = keyframes_.begin(); it != keyframes_.end();) {
+    auto& points = it->second;
+    points.erase(std::remove_if(points.begin(), points.end(), [&](PointId id) { return points_.count(id) == 0; }),
+                 points.end());
+    it = points.empty() ? keyframes_.erase(it) : std::next(it);
   }
 }
 

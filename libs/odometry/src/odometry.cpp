@@ -1,35 +1,11 @@
 #include "wardslam/odometry/odometry.h"
 
 #include <algorithm>
-#include <optional>
-#include <set>
 #include <utility>
 
-#include "local_map.h"
-#include "wardslam/odometry/keypoint_grid.h"
-#include "wardslam/odometry/matcher.h"
-#include "wardslam/odometry/pose_solver.h"
+#include "pose_tracker.h"
 
 namespace wardslam::odometry {
-namespace {
-
-/// One image as the tracker sees it.
-struct View {
-  double stamp_s;
-  const core::CameraModel& camera;
-  const core::Features& features;
-  KeypointGrid grid;
-  std::uint64_t frame;
-};
-
-/// Matches of which some turned out to be inliers of a pose.
-struct Tracking {
-  Eigen::Isometry3d T_cam_map = Eigen::Isometry3d::Identity();
-  std::vector<Match> inliers;
-  int matches = 0;
-};
-
-}  // namespace
 
 std::string toString(State state) {
   switch (state) {
@@ -46,123 +22,66 @@ std::string toString(State state) {
 class Odometry::Tracker {
  public:
   explicit Tracker(const OdometryOptions& options)
-      : options_(options), map_(options.local_map), matcher_(options.matcher), solver_(options.pose_solver) {}
+      : options_(options), map_(options.local_map), poseTracker_(options_) {}
 
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features) {
     const View view{stamp_s, camera, features, KeypointGrid(features.keypoints, camera), frame_++};
     if (state_ == State::Initialising) return initialise(view);
     const Tracking tracking = find(view);
-    return isGood(tracking) ? accept(view, tracking) : lose(tracking);
+    return poseTracker_.isGood(tracking) ? accept(view, tracking) : lose(view, tracking);
   }
 
   void apply(const MapUpdate& update);
 
  private:
+  struct LastKeyframe {
+    KeyframeId id = 0;
+    std::uint64_t frame = 0;
+    Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+    std::size_t mostTracked = 0;  ///< Points found in one image since then.
+  };
+
   OdometryResult initialise(const View& view);
   [[nodiscard]] Tracking find(const View& view) const;
-  [[nodiscard]] Tracking trackByMotion(const View& view) const;
-  [[nodiscard]] Tracking trackLocalMap(const View& view, const Eigen::Isometry3d& T_cam_map) const;
-  [[nodiscard]] Tracking relocalise(const View& view) const;
-  [[nodiscard]] Tracking estimate(const View& view, const std::vector<Match>& matches,
-                                  const Eigen::Isometry3d& T_cam_map) const;
-  [[nodiscard]] std::vector<PointObservation> observe(const View& view, const std::vector<Match>& matches) const;
-  [[nodiscard]] bool isGood(const Tracking& tracking) const {
-    return static_cast<int>(tracking.inliers.size()) >= options_.min_inliers;
-  }
-
   OdometryResult accept(const View& view, const Tracking& tracking);
-  OdometryResult lose(const Tracking& tracking);
+  OdometryResult lose(const View& view, const Tracking& tracking);
+  void beginSubmap();
   void updateMap(const View& view, const Tracking& tracking);
   [[nodiscard]] std::vector<std::size_t> newPointCandidates(const View& view, const Tracking& tracking) const;
   [[nodiscard]] bool needsKeyframe(const View& view, const Tracking& tracking, std::size_t newPoints) const;
   std::shared_ptr<const Keyframe> insertKeyframe(const View& view, const Tracking& tracking,
                                                  const std::vector<std::size_t>& newPoints);
+  [[nodiscard]] OdometryResult result(const Tracking& tracking, std::shared_ptr<const Keyframe> keyframe) const;
 
-  OdometryOptions options_;
+  const OdometryOptions options_;
   LocalMap map_;
-  Matcher matcher_;
-  PoseSolver solver_;
+  PoseTracker poseTracker_;
 
   State state_ = State::Initialising;
   std::uint64_t frame_ = 0;
   Eigen::Isometry3d T_cam_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_cam_previous_ = Eigen::Isometry3d::Identity();  ///< Motion of the last frame.
   std::vector<PointId> lastSeen_;                                     ///< Points found in the last tracked frame.
-  struct {
-    KeyframeId id = 0;
-    std::uint64_t frame = 0;
-    Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
-  } lastKeyframe_;
-  std::size_t mostTracked_ = 0;  ///< Points found in one image since the last keyframe.
+  LastKeyframe lastKeyframe_;
+  std::uint32_t submap_ = 0;
+  int framesLost_ = 0;
 };
 
 OdometryResult Odometry::Tracker::initialise(const View& view) {
   const auto newPoints = newPointCandidates(view, {});
   if (static_cast<int>(newPoints.size()) < options_.min_initial_points) return {};
   state_ = State::Ok;
-  return {state_, T_cam_map_.inverse(), 0, static_cast<int>(newPoints.size()), insertKeyframe(view, {}, newPoints)};
+  T_cam_previous_ = Eigen::Isometry3d::Identity();
+  return result({}, insertKeyframe(view, {}, newPoints));
 }
 
 Tracking Odometry::Tracker::find(const View& view) const {
   if (state_ == State::Ok) {
-    const Tracking tracking = trackByMotion(view);
-    if (isGood(tracking)) return trackLocalMap(view, tracking.T_cam_map);
+    const Tracking tracking = poseTracker_.trackByMotion(view, map_, lastSeen_, T_cam_previous_ * T_cam_map_);
+    if (poseTracker_.isGood(tracking)) return poseTracker_.trackNeighbourhood(view, map_, tracking);
   }
-  const Tracking tracking = relocalise(view);
-  return isGood(tracking) ? trackLocalMap(view, tracking.T_cam_map) : tracking;
-}
-
-Tracking Odometry::Tracker::trackByMotion(const View& view) const {
-  const Eigen::Isometry3d T_cam_map_predicted = T_cam_previous_ * T_cam_map_;
-  Tracking best;
-  for (const double widening : {1.0, 2.0, 4.0}) {
-    std::vector<ProjectedPoint> projections;
-    for (const PointId id : lastSeen_) {
-      if (map_.find(id) == nullptr) continue;
-      if (const auto projected = map_.project(id, view.camera, T_cam_map_predicted)) projections.push_back(*projected);
-    }
-    const auto matches =
-        matcher_.searchNear(projections, view.features, view.grid, widening * options_.matcher.wide_radius_px);
-    best = estimate(view, matches, T_cam_map_predicted);
-    if (isGood(best)) break;
-  }
-  return best;
-}
-
-Tracking Odometry::Tracker::trackLocalMap(const View& view, const Eigen::Isometry3d& T_cam_map) const {
-  std::vector<ProjectedPoint> projections;
-  for (const auto& [id, point] : map_.points()) {
-    if (const auto projected = map_.project(id, view.camera, T_cam_map)) projections.push_back(*projected);
-  }
-  const auto matches = matcher_.searchNear(projections, view.features, view.grid, options_.matcher.narrow_radius_px);
-  return estimate(view, matches, T_cam_map);
-}
-
-Tracking Odometry::Tracker::relocalise(const View& view) const {
-  std::vector<DescribedPoint> points;
-  for (const auto& [id, point] : map_.points()) points.push_back({id, &point.descriptor});
-  const auto matches = matcher_.searchEverywhere(points, view.features);
-  const PoseEstimate pose = solver_.solve(observe(view, matches), view.camera);
-  return estimate(view, matches, pose.T_cam_map);
-}
-
-Tracking Odometry::Tracker::estimate(const View& view, const std::vector<Match>& matches,
-                                     const Eigen::Isometry3d& T_cam_map) const {
-  const PoseEstimate pose = solver_.refine(observe(view, matches), view.camera, T_cam_map);
-  Tracking tracking{pose.T_cam_map, {}, static_cast<int>(matches.size())};
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    if (pose.isInlier[i]) tracking.inliers.push_back(matches[i]);
-  }
-  return tracking;
-}
-
-std::vector<PointObservation> Odometry::Tracker::observe(const View& view, const std::vector<Match>& matches) const {
-  std::vector<PointObservation> observations;
-  observations.reserve(matches.size());
-  for (const Match& match : matches) {
-    observations.push_back({map_.find(match.point)->p_map_m, view.features.keypoints[match.keypoint]});
-  }
-  return observations;
+  const Tracking tracking = poseTracker_.relocalise(view, map_);
+  return poseTracker_.isGood(tracking) ? poseTracker_.trackNeighbourhood(view, map_, tracking) : tracking;
 }
 
 OdometryResult Odometry::Tracker::accept(const View& view, const Tracking& tracking) {
@@ -170,24 +89,33 @@ OdometryResult Odometry::Tracker::accept(const View& view, const Tracking& track
   T_cam_previous_ = wasOk ? tracking.T_cam_map * T_cam_map_.inverse() : Eigen::Isometry3d::Identity();
   T_cam_map_ = tracking.T_cam_map;
   state_ = State::Ok;
+  framesLost_ = 0;
   updateMap(view, tracking);
 
-  mostTracked_ = std::max(mostTracked_, tracking.inliers.size());
+  lastKeyframe_.mostTracked = std::max(lastKeyframe_.mostTracked, tracking.inliers.size());
   const auto newPoints = newPointCandidates(view, tracking);
-  OdometryResult result{state_, T_cam_map_.inverse(), tracking.matches, static_cast<int>(tracking.inliers.size()), {}};
-  if (needsKeyframe(view, tracking, newPoints.size())) result.keyframe = insertKeyframe(view, tracking, newPoints);
-  return result;
+  const bool isKeyframe = needsKeyframe(view, tracking, newPoints.size());
+  return result(tracking, isKeyframe ? insertKeyframe(view, tracking, newPoints) : nullptr);
 }
 
-OdometryResult Odometry::Tracker::lose(const Tracking& tracking) {
+OdometryResult Odometry::Tracker::lose(const View& view, const Tracking& tracking) {
   state_ = State::Lost;
-  return {state_, T_cam_map_.inverse(), tracking.matches, static_cast<int>(tracking.inliers.size()), {}};
+  if (++framesLost_ <= options_.max_lost_frames) return result(tracking, nullptr);
+  beginSubmap();
+  return initialise(view);
+}
+
+/// Goes on with a fresh map where the old one was lost: what is recorded from now on can be joined to it later.
+void Odometry::Tracker::beginSubmap() {
+  map_.clear();
+  lastSeen_.clear();
+  state_ = State::Initialising;
+  framesLost_ = 0;
+  ++submap_;
 }
 
 void Odometry::Tracker::updateMap(const View& view, const Tracking& tracking) {
-  for (const auto& [id, point] : map_.points()) {
-    if (map_.project(id, view.camera, T_cam_map_)) map_.countVisible(id);
-  }
+  for (const PointId id : tracking.visible) map_.countVisible(id);
   const Eigen::Isometry3d T_map_cam = T_cam_map_.inverse();
   lastSeen_.clear();
   for (const Match& match : tracking.inliers) {
@@ -212,8 +140,8 @@ bool Odometry::Tracker::needsKeyframe(const View& view, const Tracking& tracking
   const KeyframeOptions& keyframes = options_.keyframes;
   if (static_cast<int>(newPoints) < keyframes.min_new_points) return false;
   const bool isLate = view.frame - lastKeyframe_.frame >= static_cast<std::uint64_t>(keyframes.max_frame_gap);
-  const bool hasLeft =
-      static_cast<double>(tracking.inliers.size()) < keyframes.min_tracked_fraction * static_cast<double>(mostTracked_);
+  const bool hasLeft = static_cast<double>(tracking.inliers.size()) <
+                       keyframes.min_tracked_fraction * static_cast<double>(lastKeyframe_.mostTracked);
   return isLate || hasLeft;
 }
 
@@ -222,29 +150,46 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const View& vi
   const Eigen::Isometry3d T_map_cam = T_cam_map_.inverse();
   auto keyframe = std::make_shared<Keyframe>();
   for (const Match& match : tracking.inliers) {
-    map_.updateAppearance(match.point, view.features.keypoints[match.keypoint],
-                          descriptorOf(view.features, match.keypoint), T_map_cam);
+    const auto& keypoint = view.features.keypoints[match.keypoint];
+    map_.describe(match.point, keypoint, descriptorOf(view.features, match.keypoint), T_map_cam);
     keyframe->sightings.push_back({match.point, match.keypoint, map_.find(match.point)->p_map_m});
   }
   for (const std::size_t i : newPoints) {
-    const PointId id =
-        map_.add(view.features.keypoints[i], descriptorOf(view.features, i), view.camera, T_map_cam, view.frame);
+    MapPoint point = makeMapPoint(view.features.keypoints[i], descriptorOf(view.features, i), view.camera, T_map_cam);
+    point.lastSeenFrame = view.frame;
+    const PointId id = map_.add(point);
     lastSeen_.push_back(id);
-    keyframe->sightings.push_back({id, i, map_.find(id)->p_map_m});
+    keyframe->sightings.push_back({id, i, point.p_map_m});
   }
   keyframe->id = lastKeyframe_.id + 1;
+  keyframe->submap = submap_;
   keyframe->stamp_s = view.stamp_s;
   keyframe->camera = view.camera;
   keyframe->T_map_cam = T_map_cam;
   keyframe->features = view.features;
-  lastKeyframe_ = {keyframe->id, view.frame, T_map_cam};
-  mostTracked_ = 0;
+  map_.addKeyframe(keyframe->id, lastSeen_);
   map_.cull();
+  lastKeyframe_ = {keyframe->id, view.frame, T_map_cam, 0};
   return keyframe;
+}
+
+OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_ptr<const Keyframe> keyframe) const {
+  OdometryResult result;
+  result.state = state_;
+  result.T_map_cam = T_cam_map_.inverse();
+  result.referenceKeyframe = lastKeyframe_.id;
+  result.T_keyframe_cam = lastKeyframe_.T_map_cam.inverse() * result.T_map_cam;
+  result.matches = tracking.matches;
+  result.inliers = static_cast<int>(tracking.inliers.size());
+  result.keyframe = std::move(keyframe);
+  return result;
 }
 
 void Odometry::Tracker::apply(const MapUpdate& update) {
   map_.apply(update);
+  for (PointId& id : lastSeen_) {
+    if (const auto fused = update.fusedPoints.find(id); fused != update.fusedPoints.end()) id = fused->second;
+  }
   const auto moved = update.T_map_cam.find(lastKeyframe_.id);
   if (moved == update.T_map_cam.end()) return;
   T_cam_map_ = T_cam_map_ * lastKeyframe_.T_map_cam * moved->second.inverse();

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "wardslam/core/camera_model.h"
@@ -22,21 +21,13 @@ struct Sighting {
 
 /// An image worth remembering: it saw something new.
 struct Keyframe {
-  KeyframeId id = 0;  ///< Counts up by one.
+  KeyframeId id = 0;         ///< Counts up by one, from 1.
+  std::uint32_t submap = 0;  ///< Keyframes of one submap share a frame; a new one begins when tracking starts anew.
   double stamp_s = 0.0;
   core::CameraModel camera;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
   core::Features features;  ///< Static ones only.
   std::vector<Sighting> sightings;
-};
-
-/// Better estimates of what tracking rests on. What is not named stays as it is.
-struct MapUpdate {
-  std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
-  std::map<PointId, Eigen::Vector3d> p_map_m;
-  std::vector<PointId> removedPoints;
-
-  [[nodiscard]] bool empty() const { return T_map_cam.empty() && p_map_m.empty() && removedPoints.empty(); }
 };
 
 }  // namespace wardslam::odometry

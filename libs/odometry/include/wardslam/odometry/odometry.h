@@ -9,6 +9,7 @@
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/keypoint.h"
 #include "wardslam/odometry/keyframe.h"
+#include "wardslam/odometry/map_update.h"
 #include "wardslam/odometry/odometry_options.h"
 
 namespace wardslam::odometry {
@@ -21,9 +22,11 @@ enum class State { Initialising, Ok, Lost };
 struct OdometryResult {
   State state = State::Initialising;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();  ///< Meaningful when state is Ok.
-  int matches = 0;                                              ///< Map points found in the image.
-  int inliers = 0;                                              ///< Of these, the ones the pose rests on.
-  std::shared_ptr<const Keyframe> keyframe;                     ///< Set when new points were added to the local map.
+  KeyframeId referenceKeyframe = 0;  ///< The newest keyframe; corrections of its pose move this one along.
+  Eigen::Isometry3d T_keyframe_cam = Eigen::Isometry3d::Identity();
+  int matches = 0;                           ///< Map points found in the image.
+  int inliers = 0;                           ///< Of these, the ones the pose rests on.
+  std::shared_ptr<const Keyframe> keyframe;  ///< Set when new points were added to the local map.
 
   [[nodiscard]] bool hasPose() const { return state == State::Ok; }
   [[nodiscard]] std::optional<Eigen::Isometry3d> pose() const {

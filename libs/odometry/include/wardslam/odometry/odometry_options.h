@@ -36,12 +36,15 @@ struct LocalMapOptions {
   double max_depth_m = 6.0;
   double min_found_ratio = 0.25;
   int max_fused = 30;
+  int max_neighbours = 30;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("max_points", self.max_points, {500, 1000000}, "count", "points kept; those unseen for longest go first");
     visit("max_depth_m", self.max_depth_m, {0.5, 50.0}, "m", "farther key points make no map points");
     visit("max_fused", self.max_fused, {1, 100000}, "count", "measurements of a point that refine its position");
+    visit("max_neighbours", self.max_neighbours, {1, 1000}, "count",
+          "keyframes whose points are looked for, those that share most with the image");
     visit("min_found_ratio", self.min_found_ratio, {0.0, 1.0}, "", "points found more rarely than this are dropped");
   }
 };
@@ -64,6 +67,7 @@ struct KeyframeOptions {
 struct OdometryOptions {
   int min_initial_points = 80;
   int min_inliers = 20;
+  int max_lost_frames = 15;
   MatcherOptions matcher;
   PoseSolverOptions pose_solver;
   LocalMapOptions local_map;
@@ -73,6 +77,8 @@ struct OdometryOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("min_initial_points", self.min_initial_points, {10, 10000}, "count", "key points with depth, to start");
     visit("min_inliers", self.min_inliers, {6, 1000}, "count", "matched points a pose must rest on");
+    visit("max_lost_frames", self.max_lost_frames, {0, 100000}, "frames",
+          "to look for the known map before a new submap is begun");
     visit.group("matcher", self.matcher);
     visit.group("pose_solver", self.pose_solver);
     visit.group("local_map", self.local_map);

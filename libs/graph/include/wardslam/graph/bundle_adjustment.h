@@ -1,0 +1,28 @@
+#pragma once
+
+#include <set>
+
+#include "wardslam/graph/graph_options.h"
+#include "wardslam/graph/keyframe_graph.h"
+
+namespace wardslam::graph {
+
+/// Which part of the graph an adjustment moves. Keyframes that see points of `points` but are in neither set are left
+/// out.
+struct AdjustmentWindow {
+  std::set<KeyframeId> moved;
+  std::set<KeyframeId> fixed;
+  std::set<PointId> points;
+};
+
+/// The newest keyframe's neighbourhood: it and the keyframes that share most points with it move, all their points
+/// move, other keyframes that see these points hold still. The first keyframe never moves.
+[[nodiscard]] AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest,
+                                           const BundleAdjustmentOptions& options);
+
+/// Least squares over all sightings in the window, reprojection and depth, with a robust loss; sightings that do not
+/// fit afterwards are removed from the graph. Returns what changed.
+odometry::MapUpdate adjust(KeyframeGraph& graph, const AdjustmentWindow& window,
+                           const BundleAdjustmentOptions& options);
+
+}  // namespace wardslam::graph

@@ -1,0 +1,152 @@
+#include "wardslam/graph/bundle_adjustment.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "wardslam/odometry/observation_error.h"
+
+namespace wardslam::graph {
+namespace {
+
+using odometry::ObservationError;
+using odometry::PoseVector;
+
+/// One sighting in the window.
+struct Edge {
+  KeyframeId keyframe;
+  PointId point;
+  const core::Keypoint* keypoint;
+  ObservationError error;
+};
+
+/// The window's poses and points as the solver's variables.
+class AdjustmentProblem {
+ public:
+  AdjustmentProblem(const KeyframeGraph& graph, const AdjustmentWindow& window, const BundleAdjustmentOptions& options)
+      : options_(options) {
+    for (const PointId id : window.points) points_.emplace(id, graph.points().at(id).p_map_m);
+    for (const KeyframeId id : window.moved) add(graph.keyframes().at(id), id);
+    for (const KeyframeId id : window.fixed) add(graph.keyframes().at(id), id);
+    for (const KeyframeId id : window.fixed) fixed_.insert(id);
+  }
+
+  void solve() {
+    ceres::Problem problem;
+    auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+    for (Edge& edge : edges_) addResidual(edge, problem);
+    for (auto& [id, point] : points_) {
+      if (problem.HasParameterBlock(point.data())) ordering->AddElementToGroup(point.data(), 0);
+    }
+    for (auto& [id, pose] : poses_) {
+      if (!problem.HasParameterBlock(pose.data())) continue;
+      ordering->AddElementToGroup(pose.data(), 1);
+      if (fixed_.count(id) != 0) problem.SetParameterBlockConstant(pose.data());
+    }
+    if (problem.NumResidualBlocks() == 0) return;
+    ceres::Solver::Options solver;
+    solver.linear_solver_type = ceres::DENSE_SCHUR;
+    solver.linear_solver_ordering = ordering;
+    solver.max_num_iterations = options_.max_iterations;
+    solver.function_tolerance = 1e-4;
+    solver.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &problem, &summary);
+  }
+
+  /// Writes poses and points back and removes the sightings that do not fit.
+  odometry::MapUpdate apply(KeyframeGraph& graph) const {
+    odometry::MapUpdate update;
+    for (const auto& [id, pose] : poses_) {
+      if (fixed_.count(id) != 0) continue;
+      update.T_map_cam.emplace(id, odometry::toIsometry(pose).inverse());
+      graph.setPose(id, update.T_map_cam.at(id));
+    }
+    for (const auto& [id, point] : points_) {
+      update.p_map_m.emplace(id, point);
+      graph.setPosition(id, point);
+    }
+    for (const Edge& edge : edges_) {
+      if (edge.error.squared(poses_.at(edge.keyframe), points_.at(edge.point)) < odometry::chiSquareOf(*edge.keypoint))
+        continue;
+      graph.removeSighting(edge.keyframe, edge.point);
+      if (graph.points().count(edge.point) == 0) update.removedPoints.push_back(edge.point);
+    }
+    return update;
+  }
+
+ private:
+  void add(const KeyframeNode& node, KeyframeId id) {
+    poses_.emplace(id, odometry::toPoseVector(node.T_map_cam.inverse()));
+    for (const auto& [point, index] : node.keypointOf) {
+      if (points_.count(point) == 0) continue;
+      const core::Keypoint& keypoint = node.keyframe->features.keypoints[index];
+      const ObservationError error(keypoint, node.keyframe->camera, options_.pixel_sigma_px,
+                                   options_.depth_sigma_scale);
+      edges_.push_back({id, point, &keypoint, error});
+    }
+  }
+
+  void addResidual(Edge& edge, ceres::Problem& problem) {
+    auto* functor = new ObservationError(edge.error);
+    ceres::CostFunction* cost = nullptr;
+    if (edge.keypoint->hasDepth()) {
+      cost = new ceres::AutoDiffCostFunction<ObservationError, 3, 6, 3>(functor);
+    } else {
+      cost = new ceres::AutoDiffCostFunction<ObservationError, 2, 6, 3>(functor);
+    }
+    auto* loss = new ceres::HuberLoss(std::sqrt(odometry::chiSquareOf(*edge.keypoint)));
+    problem.AddResidualBlock(cost, loss, poses_.at(edge.keyframe).data(), points_.at(edge.point).data());
+  }
+
+  const BundleAdjustmentOptions& options_;
+  std::map<KeyframeId, PoseVector> poses_;  // T_cam_map
+  std::map<PointId, Eigen::Vector3d> points_;
+  std::set<KeyframeId> fixed_;
+  std::vector<Edge> edges_;
+};
+
+/// The map frame is the first keyframe's; where it is out of reach something else must hold still.
+void holdFirst(const KeyframeGraph& graph, AdjustmentWindow& window) {
+  const KeyframeId first = graph.keyframes().begin()->first;
+  if (window.moved.erase(first) != 0) window.fixed.insert(first);
+  if (window.fixed.empty()) window.fixed.insert(window.moved.extract(window.moved.begin()).value());
+}
+
+}  // namespace
+
+AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, const BundleAdjustmentOptions& options) {
+  AdjustmentWindow window;
+  window.moved.insert(newest);
+  for (const auto& [id, shared] : graph.covisible(newest)) {
+    const bool isNeighbour = shared >= static_cast<std::size_t>(options.min_shared_points);
+    if (isNeighbour && window.moved.size() < static_cast<std::size_t>(options.window)) window.moved.insert(id);
+  }
+  std::map<KeyframeId, std::size_t> others;
+  for (const KeyframeId id : window.moved) {
+    for (const auto& [point, keypoint] : graph.keyframes().at(id).keypointOf) window.points.insert(point);
+  }
+  for (const PointId point : window.points) {
+    for (const KeyframeId id : graph.points().at(point).seenBy) {
+      if (window.moved.count(id) == 0) ++others[id];
+    }
+  }
+  std::vector<std::pair<std::size_t, KeyframeId>> bySharedPoints;
+  for (const auto& [id, shared] : others) bySharedPoints.emplace_back(shared, id);
+  std::sort(bySharedPoints.rbegin(), bySharedPoints.rend());
+  for (const auto& [shared, id] : bySharedPoints) {
+    if (window.fixed.size() < static_cast<std::size_t>(options.max_fixed_keyframes)) window.fixed.insert(id);
+  }
+  holdFirst(graph, window);
+  return window;
+}
+
+odometry::MapUpdate adjust(KeyframeGraph& graph, const AdjustmentWindow& window,
+                           const BundleAdjustmentOptions& options) {
+  AdjustmentProblem problem(graph, window, options);
+  problem.solve();
+  return problem.apply(graph);
+}
+
+}  // namespace wardslam::graph

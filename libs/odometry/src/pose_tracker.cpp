@@ -1,0 +1,67 @@
+#include "pose_tracker.h"
+
+namespace wardslam::odometry {
+
+Tracking PoseTracker::trackByMotion(const View& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
+                                    const Eigen::Isometry3d& T_cam_map_predicted) const {
+  Tracking tracking;
+  for (const double widening : {1.0, 2.0, 4.0}) {
+    tracking = search(view, map, lastSeen, T_cam_map_predicted, widening * options_.matcher.wide_radius_px);
+    if (isGood(tracking)) break;
+  }
+  return tracking;
+}
+
+Tracking PoseTracker::trackNeighbourhood(const View& view, const LocalMap& map, const Tracking& rough) const {
+  std::vector<PointId> seeds;
+  for (const Match& match : rough.inliers) seeds.push_back(match.point);
+  return search(view, map, map.neighbourhood(seeds), rough.T_cam_map, options_.matcher.narrow_radius_px);
+}
+
+Tracking PoseTracker::relocalise(const View& view, const LocalMap& map) const {
+  std::vector<DescribedPoint> points;
+  for (const auto& [id, point] : map.points()) points.push_back({id, &point.descriptor});
+  const auto matches = matcher_.searchEverywhere(points, view.features);
+  const PoseEstimate pose = solver_.solve(observe(view, map, matches), view.camera);
+  return estimate(view, map, matches, pose.T_cam_map);
+}
+
+Tracking PoseTracker::search(const View& view, const LocalMap& map, const std::vector<PointId>& points,
+                             const Eigen::Isometry3d& T_cam_map, double radius_px) const {
+  std::vector<ProjectedPoint> projections;
+  std::vector<PointId> visible;
+  for (const PointId id : points) {
+    const MapPoint* point = map.find(id);
+    if (point == nullptr) continue;
+    const auto projected = project(id, *point, view.camera, T_cam_map);
+    if (!projected) continue;
+    projections.push_back(*projected);
+    visible.push_back(id);
+  }
+  const auto matches = matcher_.searchNear(projections, view.features, view.grid, radius_px);
+  Tracking tracking = estimate(view, map, matches, T_cam_map);
+  tracking.visible = std::move(visible);
+  return tracking;
+}
+
+Tracking PoseTracker::estimate(const View& view, const LocalMap& map, const std::vector<Match>& matches,
+                               const Eigen::Isometry3d& T_cam_map) const {
+  const PoseEstimate pose = solver_.refine(observe(view, map, matches), view.camera, T_cam_map);
+  Tracking tracking{pose.T_cam_map, {}, {}, static_cast<int>(matches.size())};
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (pose.isInlier[i]) tracking.inliers.push_back(matches[i]);
+  }
+  return tracking;
+}
+
+std::vector<PointObservation> PoseTracker::observe(const View& view, const LocalMap& map,
+                                                   const std::vector<Match>& matches) const {
+  std::vector<PointObservation> observations;
+  observations.reserve(matches.size());
+  for (const Match& match : matches) {
+    observations.push_back({map.find(match.point)->p_map_m, view.features.keypoints[match.keypoint]});
+  }
+  return observations;
+}
+
+}  // namespace wardslam::odometry

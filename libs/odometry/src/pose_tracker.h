@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "local_map.h"
+#include "wardslam/odometry/keypoint_grid.h"
+#include "wardslam/odometry/matcher.h"
+#include "wardslam/odometry/odometry_options.h"
+#include "wardslam/odometry/pose_solver.h"
+
+namespace wardslam::odometry {
+
+/// One image as tracking sees it.
+struct View {
+  double stamp_s;
+  const core::CameraModel& camera;
+  const core::Features& features;
+  KeypointGrid grid;
+  std::uint64_t frame;
+};
+
+/// A pose and the matches it rests on.
+struct Tracking {
+  Eigen::Isometry3d T_cam_map = Eigen::Isometry3d::Identity();
+  std::vector<Match> inliers;
+  std::vector<PointId> visible;  ///< Points that should have been found.
+  int matches = 0;
+};
+
+/// Finds the camera's pose in one image, by what the local map says should be seen.
+class PoseTracker {
+ public:
+  explicit PoseTracker(const OdometryOptions& options)
+      : options_(options), matcher_(options.matcher), solver_(options.pose_solver) {}
+
+  [[nodiscard]] bool isGood(const Tracking& tracking) const {
+    return static_cast<int>(tracking.inliers.size()) >= options_.min_inliers;
+  }
+
+  /// From a pose predicted by motion and the points the last image showed, searching wider until enough are found.
+  [[nodiscard]] Tracking trackByMotion(const View& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
+                                       const Eigen::Isometry3d& T_cam_map_predicted) const;
+
+  /// From a pose that is nearly right: looks for all points of the neighbourhood.
+  [[nodiscard]] Tracking trackNeighbourhood(const View& view, const LocalMap& map, const Tracking& rough) const;
+
+  /// From nothing, by looks alone.
+  [[nodiscard]] Tracking relocalise(const View& view, const LocalMap& map) const;
+
+ private:
+  [[nodiscard]] Tracking search(const View& view, const LocalMap& map, const std::vector<PointId>& points,
+                                const Eigen::Isometry3d& T_cam_map, double radius_px) const;
+  [[nodiscard]] Tracking estimate(const View& view, const LocalMap& map, const std::vector<Match>& matches,
+                                  const Eigen::Isometry3d& T_cam_map) const;
+  [[nodiscard]] std::vector<PointObservation> observe(const View& view, const LocalMap& map,
+                                                      const std::vector<Match>& matches) const;
+
+  const OdometryOptions& options_;
+  Matcher matcher_;
+  PoseSolver solver_;
+};
+
+}  // namespace wardslam::odometry
