@@ -3,6 +3,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <string>
@@ -108,7 +109,7 @@ core::Frame FrameBuilder::build(std::shared_ptr<CObservation3DRangeScan> observa
   frame.stamp_s = core::fromMrptTime(observation->timestamp);
   frame.camera = core::fromMrpt(observation->cameraParamsIntensity);
 
-  const cv::Mat image = observation->intensityImage.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
+  const auto image = observation->intensityImage.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
   if (image.channels() == 1) {
     frame.gray = image;
     cv::cvtColor(image, frame.color_bgr, cv::COLOR_GRAY2BGR);

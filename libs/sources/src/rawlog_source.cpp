@@ -42,9 +42,9 @@ std::string joined(const std::set<std::string>& names) {
 }  // namespace
 
 /// The objects of the file, one after the other. Holds no more than one.
-class RawlogSource::Stream {
+class RawlogSource::ObjectReader {
  public:
-  explicit Stream(const fs::path& file) {
+  explicit ObjectReader(const fs::path& file) {
     if (!fs::is_regular_file(file) || !in_.open(file.string())) {
       throw core::InputError(file.string() + ": cannot be opened as a rawlog file");
     }
@@ -80,7 +80,7 @@ class RawlogSource::Stream {
 };
 
 RawlogSource::RawlogSource(const fs::path& file, const SourceOptions& options)
-    : file_(file), stream_(std::make_unique<Stream>(file)), damage_(std::make_unique<DamageLog>(options.warn)) {
+    : file_(file), reader_(std::make_unique<ObjectReader>(file)), damage_(std::make_unique<DamageLog>(options.warn)) {
   if (options.camera) camera_ = readRgbdCamera(*options.camera);
   if (const auto images = findImageFolder(file)) mrpt::img::CImage::setImagesPathBase(images->string());
   first_ = readScan();
@@ -99,7 +99,7 @@ const core::EventCounts& RawlogSource::damage() const { return damage_->counts()
 RawlogSource::ScanPtr RawlogSource::readScan() {
   do {
     while (!pending_.empty()) {
-      const ScanPtr scan = std::move(pending_.front());
+      ScanPtr scan = std::move(pending_.front());
       pending_.pop_front();
       if (isUsable(*scan)) return scan;
     }
@@ -117,7 +117,7 @@ bool RawlogSource::fillPending() {
     }
   };
   try {
-    const auto object = stream_->read();
+    const auto object = reader_->read();
     if (!object) return false;
     const auto sensoryFrame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object);
     if (!sensoryFrame) {
@@ -155,7 +155,7 @@ bool RawlogSource::isUsable(CObservation3DRangeScan& scan) {
 
 void RawlogSource::failWithoutScans() const {
   const std::string file = file_.string();
-  if (stream_->objects() == 0) {
+  if (reader_->objects() == 0) {
     const bool isUnknownClass = damage_->counts().count("sources.rawlog_unknown_class") > 0;
     throw core::InputError(file + (isUnknownClass ? ": begins with an object of a class that is not linked in"
                                                   : ": is empty or not a rawlog"));

@@ -32,7 +32,7 @@ class RawlogSource : public ObservationSource {
 
  private:
   using ScanPtr = std::shared_ptr<mrpt::obs::CObservation3DRangeScan>;
-  class Stream;
+  class ObjectReader;
 
   [[nodiscard]] ScanPtr readScan();
   [[nodiscard]] bool fillPending();
@@ -41,7 +41,7 @@ class RawlogSource : public ObservationSource {
 
   std::filesystem::path file_;
   std::optional<RgbdCamera> camera_;  ///< Replaces that of the scans.
-  std::unique_ptr<Stream> stream_;
+  std::unique_ptr<ObjectReader> reader_;
   std::unique_ptr<DamageLog> damage_;
 
   std::deque<ScanPtr> pending_;  ///< From the sensory frame read last.
