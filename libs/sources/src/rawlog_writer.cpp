@@ -35,11 +35,12 @@ class RawlogWriter::Output {
   mrpt::serialization::CArchiveStreamBase<mrpt::io::CFileGZOutputStream> archive_{stream_};
 };
 
-RawlogWriter::RawlogWriter(std::filesystem::path file) : file_(std::move(file)), partial_(file_.string() + ".partial") {
+RawlogWriter::RawlogWriter(std::filesystem::path file, ImageCoding images)
+    : file_(std::move(file)), partial_(file_.string() + ".partial") {
   if (std::filesystem::exists(file_) && !std::filesystem::is_regular_file(file_)) {
     throw core::InputError(file_.string() + ": is there already and no file that could be replaced");
   }
-  mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(true);
+  mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(images == ImageCoding::Lossless);
   output_ = std::make_unique<Output>(partial_);
 }
 

@@ -9,15 +9,18 @@ class CObservation;
 
 namespace wardslam::sources {
 
+/// How colour images are embedded; depth is always kept as it is.
+enum class ImageCoding { Lossless, Jpeg };
+
 /// Writes observations as a gz-compressed MRPT rawlog that is complete or absent: the data go to "<file>.partial",
 /// which commit() renames and the destructor removes.
 ///
-/// Images are embedded without loss. MRPT has one switch for this in the process (CImage::DISABLE_JPEG_COMPRESSION);
-/// the constructor sets it.
+/// MRPT has one switch for the coding of images in the process (CImage::DISABLE_JPEG_COMPRESSION); the constructor
+/// sets it.
 class RawlogWriter {
  public:
   /// Replaces a file that is there, once complete. Throws core::InputError when the file cannot be created.
-  explicit RawlogWriter(std::filesystem::path file);
+  explicit RawlogWriter(std::filesystem::path file, ImageCoding images = ImageCoding::Lossless);
   ~RawlogWriter();
   RawlogWriter(const RawlogWriter&) = delete;
   RawlogWriter& operator=(const RawlogWriter&) = delete;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace wardslam::synth {
+
+/// How the camera drives: along an ellipse, again and again, looking about as a robot does on its way.
+struct CameraPath {
+  Eigen::Vector2d centre_m{4.2, 3.2};
+  Eigen::Vector2d semiAxes_m{2.7, 0.62};
+  double height_m = 1.1;
+  double period_s = 38.0;
+  double startAngle_rad = 0.9;  ///< Along the ellipse, from its west end, counter-clockwise.
+
+  /// The optical frame (x right, y down, z forward) in the world frame.
+  [[nodiscard]] Eigen::Isometry3d T_world_cam(double t_s) const;
+};
+
+}  // namespace wardslam::synth

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "mesh.h"
+#include "textures.h"
+#include "wardslam/core/segmentation.h"
+
+namespace wardslam::synth {
+
+struct Surface {
+  Material material;
+  Mesh mesh;
+};
+using Surfaces = std::vector<Surface>;
+
+/// Name and class of something in the scene. Id 0: the building, which is no instance.
+struct Label {
+  std::uint16_t id = 0;
+  std::string name;
+  core::ClassId classId = 0;
+  std::string className;
+};
+
+/// Something that never moves; world frame.
+struct Thing {
+  Label label;
+  Surfaces surfaces;
+};
+
+/// Something that moves at times.
+class Actor {
+ public:
+  explicit Actor(Label label) : label_(std::move(label)) {}
+  virtual ~Actor() = default;
+  Actor(const Actor&) = delete;
+  Actor& operator=(const Actor&) = delete;
+
+  [[nodiscard]] const Label& label() const { return label_; }
+  /// What it looks like, in the world frame. The materials and their order are always the same.
+  [[nodiscard]] virtual Surfaces surfacesAt(double t_s) const = 0;
+  [[nodiscard]] virtual bool isMovingAt(double t_s) const = 0;
+  /// When it comes to rest for good; infinity if never.
+  [[nodiscard]] virtual double atRestFrom_s() const = 0;
+
+ private:
+  Label label_;
+};
+
+/// All that can be rendered. World frame: x and y along the walls, z up, floor at z = 0; metres.
+struct Scene {
+  std::map<Material, cv::Mat> textures;
+  std::vector<Thing> things;
+  std::vector<std::unique_ptr<Actor>> actors;
+};
+
+}  // namespace wardslam::synth

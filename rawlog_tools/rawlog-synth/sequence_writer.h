@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "scene.h"
+#include "wardslam/core/camera_model.h"
+
+namespace wardslam::synth {
+
+/// One recorded frame with all that is known about it.
+struct SequenceFrame {
+  double stamp_s = 0.0;  ///< UNIX time in whole microseconds.
+  cv::Mat color_bgr;     ///< CV_8UC3
+  cv::Mat depth_m;       ///< CV_32FC1, as measured; 0 = none.
+  cv::Mat instanceIds;   ///< CV_16UC1
+  cv::Mat dynamic;       ///< CV_8UC1, 255 where something truly moves at that moment.
+  Eigen::Isometry3d T_world_cam = Eigen::Isometry3d::Identity();
+};
+
+/// A static object of the scene, for objects.csv.
+struct StaticObject {
+  Label label;
+  Eigen::AlignedBox3f box_m;  ///< World frame.
+  double restsFrom_s = 0.0;   ///< Seconds after the start; 0 = always.
+};
+
+/// Writes, for FILE.rawlog:
+///   FILE.rawlog           CObservation3DRangeScan: colour and depth, gzip
+///   FILE.groundtruth.txt  TUM format, T_world_cam (optical)
+///   FILE_labels/          masks/ (8-bit class ids), instances/ (16-bit), dynamic/ (255 = moving), each <stamp>.png;
+///                         classes.txt; objects.csv
+/// All appears under a ".partial" name first; finish() gives everything its name at once.
+class SequenceWriter {
+ public:
+  /// Throws core::InputError when something cannot be created, or when FILE_labels exists and is not such a folder.
+  SequenceWriter(std::filesystem::path rawlog, const core::CameraModel& camera, std::vector<Label> labels);
+  ~SequenceWriter();
+
+  /// Throws core::InputError when the disk does not take it.
+  void write(const SequenceFrame& frame);
+  void finish(const std::vector<StaticObject>& objects);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// FILE.groundtruth.txt and FILE_labels for FILE.rawlog.
+[[nodiscard]] std::filesystem::path groundTruthFile(const std::filesystem::path& rawlog);
+[[nodiscard]] std::filesystem::path labelsFolder(const std::filesystem::path& rawlog);
+
+}  // namespace wardslam::synth

@@ -1,0 +1,112 @@
+#include "synthesis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <vector>
+
+#include "renderer.h"
+#include "sequence_writer.h"
+
+namespace wardslam::synth {
+namespace {
+
+std::vector<Label> allLabels(const Scene& scene) {
+  std::vector<Label> labels;
+  for (const Thing& thing : scene.things) labels.push_back(thing.label);
+  for (const auto& actor : scene.actors) labels.push_back(actor->label());
+  return labels;
+}
+
+Eigen::AlignedBox3f boundsOf(const Surfaces& surfaces) {
+  Eigen::AlignedBox3f box;
+  for (const Surface& surface : surfaces) {
+    for (const Vertex& vertex : surface.mesh.vertices) box.extend(vertex.p_m);
+  }
+  return box;
+}
+
+std::vector<StaticObject> staticObjects(const Scene& scene, double seconds) {
+  std::vector<StaticObject> objects;
+  for (const Thing& thing : scene.things) {
+    if (thing.label.id != 0) objects.push_back({thing.label, boundsOf(thing.surfaces), 0.0});
+  }
+  for (const auto& actor : scene.actors) {
+    const double from_s = actor->atRestFrom_s();
+    if (from_s < seconds) objects.push_back({actor->label(), boundsOf(actor->surfacesAt(from_s)), from_s});
+  }
+  std::sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.label.id < b.label.id; });
+  return objects;
+}
+
+cv::Mat dynamicMask(const cv::Mat& instanceIds, const Scene& scene, double t_s) {
+  cv::Mat mask = cv::Mat::zeros(instanceIds.size(), CV_8UC1);
+  for (const auto& actor : scene.actors) {
+    if (actor->isMovingAt(t_s)) mask.setTo(255, instanceIds == static_cast<int>(actor->label().id));
+  }
+  return mask;
+}
+
+/// Every picture has its own noise, whatever was rendered before it.
+std::uint64_t noiseSeed(std::uint32_t seed, std::size_t frame, std::uint64_t picture) {
+  return (static_cast<std::uint64_t>(seed) << 32U) + 2 * static_cast<std::uint64_t>(frame) + picture + 1;
+}
+
+/// Seconds after the start, such that stamps are whole microseconds.
+double timeOf(std::size_t frame, double rate_hz) {
+  return std::round(static_cast<double>(frame) / rate_hz * 1e6) / 1e6;
+}
+
+SequenceFrame record(const Rendering& rendering, const Scene& scene, const SynthesisOptions& options,
+                     std::size_t index) {
+  const double t_s = timeOf(index, options.rate_hz);
+  SequenceFrame frame;
+  frame.stamp_s = kFirstStamp_s + t_s;
+  frame.color_bgr = exposeColor(rendering.color_bgr, options.sensor, noiseSeed(options.ward.seed, index, 0));
+  frame.depth_m = measureDepth(rendering.depth_m, options.sensor, noiseSeed(options.ward.seed, index, 1));
+  frame.instanceIds = rendering.instanceIds;
+  frame.dynamic = dynamicMask(rendering.instanceIds, scene, t_s);
+  frame.T_world_cam = CameraPath().T_world_cam(t_s);
+  return frame;
+}
+
+}  // namespace
+
+core::CameraModel cameraFor(int width_px, int height_px) {
+  core::CameraModel camera;
+  camera.width_px = width_px;
+  camera.height_px = height_px;
+  camera.fx_px = camera.fy_px = 525.0 * width_px / 640.0;
+  camera.cx_px = (width_px - 1) / 2.0;
+  camera.cy_px = (height_px - 1) / 2.0;
+  return camera;
+}
+
+std::size_t frameCount(const SynthesisOptions& options) {
+  return static_cast<std::size_t>(std::max(1.0, std::round(options.seconds * options.rate_hz)));
+}
+
+std::size_t synthesise(const std::filesystem::path& rawlog, const SynthesisOptions& options,
+                       const std::function<bool(std::size_t)>& goOn) {
+  const core::CameraModel camera = cameraFor(options.width_px, options.height_px);
+  const Scene scene = buildWard(options.ward);
+  SequenceWriter writer(rawlog, camera, allLabels(scene));
+  Renderer renderer(scene, camera);
+
+  const std::size_t total = frameCount(options);
+  std::size_t done = 0;
+  std::future<void> recording;  // of the frame before, while the next one is rendered
+  while (done < total) {
+    const double t_s = timeOf(done, options.rate_hz);
+    const Rendering rendering = renderer.render(t_s, CameraPath().T_world_cam(t_s));
+    if (recording.valid()) recording.get();
+    recording =
+        std::async(std::launch::async, [&, rendering, done] { writer.write(record(rendering, scene, options, done)); });
+    if (!goOn(++done)) break;
+  }
+  recording.get();
+  writer.finish(staticObjects(scene, static_cast<double>(done) / options.rate_hz));
+  return done;
+}
+
+}  // namespace wardslam::synth
