@@ -1,6 +1,6 @@
 # Every library the project stands on, found once. docs/architecture.md says why each is here.
 find_package(Eigen3 REQUIRED)
-find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d dnn)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d dnn video)
 find_package(mrpt-obs 2.5 REQUIRED)
 find_package(mrpt-system REQUIRED)
 find_package(mrpt-opengl REQUIRED)

@@ -111,6 +111,34 @@ TEST(AsyncSegmenter, HasNoResultWithoutAnImage) {
   EXPECT_THROW((void)async.wait(), std::logic_error);
 }
 
+TEST(AsyncSegmenter, TakesWhatIsThereWithoutWaiting) {
+  Log log;
+  std::promise<void> gate;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
+  EXPECT_FALSE(async.isExpected());
+  EXPECT_FALSE(async.tryTake()) << "nothing was submitted";
+
+  async.submit(imageOf(5), 1.0);
+  EXPECT_TRUE(async.isExpected());
+  EXPECT_FALSE(async.tryTake()) << "the gate is shut";
+  EXPECT_TRUE(async.isExpected());
+
+  gate.set_value();
+  auto result = async.tryTake();
+  while (!result) result = async.tryTake();
+  EXPECT_EQ(classOf(*result), 5);
+  EXPECT_FALSE(async.isExpected());
+  EXPECT_FALSE(async.tryTake()) << "each result is given once";
+}
+
+TEST(AsyncSegmenter, TakingRethrowsToo) {
+  Log log;
+  AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
+  async.submit(imageOf(1), -1.0);
+  EXPECT_THROW(while (!async.tryTake()) std::this_thread::yield(), core::InputError);
+  EXPECT_FALSE(async.isExpected());
+}
+
 TEST(AsyncSegmenter, FinishesAfterTheLastImage) {
   Log log;
   std::promise<void> gate;

@@ -1,5 +1,6 @@
 #include "wardslam/segmentation/async_segmenter.h"
 
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -29,6 +30,11 @@ void AsyncSegmenter::submit(const cv::Mat& color_bgr, double stamp_s) {
 
 Segmenter::Result AsyncSegmenter::wait() {
   if (!result_.valid()) throw std::logic_error("AsyncSegmenter::wait() without a submit() before it");
+  return result_.get();
+}
+
+std::optional<Segmenter::Result> AsyncSegmenter::tryTake() {
+  if (!result_.valid() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
   return result_.get();
 }
 

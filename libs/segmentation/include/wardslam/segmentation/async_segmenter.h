@@ -4,6 +4,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "wardslam/segmentation/segmenter.h"
@@ -19,12 +20,18 @@ class AsyncSegmenter {
   AsyncSegmenter(const AsyncSegmenter&) = delete;
   AsyncSegmenter& operator=(const AsyncSegmenter&) = delete;
 
-  /// Returns at once. Keeps a reference to the pixels: do not change them before wait().
+  /// Returns at once. Keeps a reference to the pixels: do not change them before its result was taken.
   void submit(const cv::Mat& color_bgr, double stamp_s);
 
   /// The result of the last submit(), once for each; throws what the segmenter threw. Throws std::logic_error when
   /// nothing was submitted since.
   [[nodiscard]] Segmenter::Result wait();
+
+  /// As wait(), but returns at once: nothing while the work goes on, or when nothing is expected.
+  [[nodiscard]] std::optional<Segmenter::Result> tryTake();
+
+  /// Whether the result of the last submit() was not taken yet.
+  [[nodiscard]] bool isExpected() const { return result_.valid(); }
 
   /// Segmenter::finish(), after all work is done.
   void finish();
