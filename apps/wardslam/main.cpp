@@ -3,6 +3,7 @@
 #include "config_command.h"
 #include "eval_command.h"
 #include "run_command.h"
+#include "support/command_line.h"
 #include "support/program.h"
 
 int main(int argc, char** argv) {
@@ -14,12 +15,6 @@ int main(int argc, char** argv) {
     addRunCommand(app);
     addEvalCommand(app);
     addConfigCommand(app);
-    try {
-      app.parse(argc, argv);
-      return kSuccess;
-    } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() != 0) throw UsageError(std::string(error.what()) + " (see wardslam --help)");
-      return app.exit(error);  // prints the help or the version that was asked for
-    }
+    return parseCommandLine(app, argc, argv).value_or(kSuccess);
   });
 }

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string>
 
+#include "support/command_line.h"
 #include "support/interruption.h"
 #include "support/program.h"
 #include "support/progress.h"
@@ -64,12 +65,7 @@ int main(int argc, char** argv) {
     app.add_option("TUM_DIR", arguments.input, "folder with rgb.txt and depth.txt, or associations.txt")->required();
     app.add_option("-o,--output", arguments.output, "rawlog to write; images are embedded without loss")->required();
     app.add_option("--camera", arguments.camera, "calibration (YAML); replaces the folder's camera.yaml");
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() != 0) throw UsageError(std::string(error.what()) + " (see tum2rawlog --help)");
-      return app.exit(error);  // prints the help or the version that was asked for
-    }
+    if (const auto code = parseCommandLine(app, argc, argv)) return *code;
     return convert(arguments);
   });
 }
