@@ -45,11 +45,11 @@ pipeline::SlamOptions effectiveOptions(const RunArguments& arguments) {
   auto options = arguments.config.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(arguments.config);
   if (!arguments.masks.empty()) {
     options.segmentation.type = Segmenter::RecordedMasks;
-    options.segmentation.recorded_masks.folder = arguments.masks.string();
+    options.segmentation.recorded_masks.folder = std::filesystem::absolute(arguments.masks).string();
   }
   if (!arguments.model.empty()) {
     options.segmentation.type = Segmenter::Yolo;
-    options.segmentation.yolo.model = arguments.model.string();
+    options.segmentation.yolo.model = std::filesystem::absolute(arguments.model).string();
   }
   const bool hasMasks = options.segmentation.type != Segmenter::None;
   if (arguments.filter == "on" && !hasMasks) {
@@ -66,10 +66,23 @@ pipeline::SlamOptions effectiveOptions(const RunArguments& arguments) {
   return options;
 }
 
-sources::SourceOptions sourceOptions(const RunArguments& arguments) {
+/// The first sentence about input that cannot be used. It is told when the run is over, not between two redraws of
+/// the progress line.
+class InputTrouble {
+ public:
+  void add(const std::string& sentence) {
+    if (first_.empty()) first_ = sentence;
+  }
+  [[nodiscard]] const std::string& first() const { return first_; }
+
+ private:
+  std::string first_;
+};
+
+sources::SourceOptions sourceOptions(const RunArguments& arguments, InputTrouble& trouble) {
   sources::SourceOptions options;
   if (!arguments.camera.empty()) options.camera = arguments.camera;
-  options.warn = warn;
+  options.warn = [&trouble](const std::string& sentence) { trouble.add(sentence); };
   return options;
 }
 
@@ -81,7 +94,7 @@ std::optional<std::size_t> expectedFrames(const sources::ObservationSource& sour
 
 /// Feeds the source to the system until it ends, enough frames were done, or the user interrupts.
 void processAll(sources::ObservationSource& source, pipeline::SlamSystem& slam, pipeline::RunStatistics& statistics,
-                const RunArguments& arguments, const InterruptionGuard& interruption) {
+                InputTrouble& trouble, const RunArguments& arguments, const InterruptionGuard& interruption) {
   Progress progress(std::cerr, standardErrorIsTerminal(), "frame", expectedFrames(source, arguments));
   while (!interruption.requested() && statistics.frames() < arguments.maxFrames.value_or(SIZE_MAX)) {
     const auto observation = source.next();
@@ -89,7 +102,7 @@ void processAll(sources::ObservationSource& source, pipeline::SlamSystem& slam, 
     try {
       slam.process(observation);
     } catch (const core::FrameError& error) {
-      if (statistics.unusableFrames() == 0) warn(error.what());
+      trouble.add(arguments.input.string() + ": " + error.what());
       statistics.addUnusable();
     }
     progress.update(statistics.frames());
@@ -98,13 +111,14 @@ void processAll(sources::ObservationSource& source, pipeline::SlamSystem& slam, 
 
 /// The run is written in full by now; what was wrong with its input still makes it a failure.
 void requireSoundInput(const sources::ObservationSource& source, const pipeline::RunStatistics& statistics,
-                       const std::filesystem::path& input) {
-  std::size_t damaged = statistics.unusableFrames();
-  for (const auto& [kind, count] : source.damage()) damaged += count;
-  if (damaged > 0) {
-    throw core::InputError(input.string() + ": " + std::to_string(damaged) +
-                           " parts of the input could not be used (named above); the results cover the rest");
+                       const InputTrouble& trouble, const std::filesystem::path& input) {
+  std::size_t unusable = statistics.unusableFrames();
+  for (const auto& [kind, count] : source.damage()) unusable += count;
+  if (unusable > 1) {
+    throw core::InputError(trouble.first() + " (the first of " + std::to_string(unusable) +
+                           " parts of the input that could not be used; summary.json counts them by kind)");
   }
+  if (unusable == 1) throw core::InputError(trouble.first());
   if (statistics.frames() > 0 && statistics.framesTracked() == 0) {
     throw core::InputError(input.string() +
                            ": no frame could be tracked; does every image have texture and depth, and is the camera "
@@ -114,7 +128,8 @@ void requireSoundInput(const sources::ObservationSource& source, const pipeline:
 
 void run(const RunArguments& arguments) {
   const auto options = effectiveOptions(arguments);
-  const auto source = sources::openSource(arguments.input, sourceOptions(arguments));
+  InputTrouble trouble;
+  const auto source = sources::openSource(arguments.input, sourceOptions(arguments, trouble));
   pipeline::SlamSystem slam(options);
   RunFolder folder(arguments.out);
   folder.writeConfiguration(slam.configuration());
@@ -126,10 +141,18 @@ void run(const RunArguments& arguments) {
   slam.addObserver(pictures);
 
   const InterruptionGuard interruption;
-  processAll(*source, slam, statistics, arguments, interruption);
-  folder.finish({statistics, source->damage(), slam.profiler(), interruption.requested(), arguments.deterministic});
+  const auto writeSummary = [&] {
+    folder.finish({statistics, source->damage(), slam.profiler(), interruption.requested(), arguments.deterministic});
+  };
+  try {
+    processAll(*source, slam, statistics, trouble, arguments, interruption);
+  } catch (const core::InputError&) {
+    writeSummary();  // of what went well until then
+    throw;
+  }
+  writeSummary();
   if (!interruption.requested()) slam.finish();
-  requireSoundInput(*source, statistics, arguments.input);
+  requireSoundInput(*source, statistics, trouble, arguments.input);
 }
 
 }  // namespace
@@ -148,7 +171,7 @@ void addRunCommand(CLI::App& app) {
                                     "folder of recorded masks, one PNG of class ids per colour image, named by stamp");
   command->add_option("--model", arguments->model, "YOLO segmentation network (v5 or v8 layout, ONNX)")
       ->excludes(masks);
-  command->add_option("--max-frames", arguments->maxFrames, "stop after so many frames");
+  command->add_option("--max-frames", arguments->maxFrames, "stop after so many frames")->check(CLI::PositiveNumber);
   command->add_flag("--deterministic", arguments->deterministic, "same input, same bytes out");
   command
       ->add_option("--pictures", arguments->pictureInterval,

@@ -6,10 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <stdexcept>
-
-#include "support/temporary_folder.h"
+#include <utility>
 
 namespace wardslam::test {
 namespace {
@@ -48,18 +48,30 @@ int waitFor(pid_t pid) {
 
 }  // namespace
 
-CommandResult runProgram(const std::string& program, const std::vector<std::string>& arguments) {
-  const TemporaryFolder folder;
-  const auto out = folder.path() / "stdout";
-  const auto err = folder.path() / "stderr";
+RunningProgram::RunningProgram(const std::string& program, const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {(std::filesystem::path(WARDSLAM_BIN_DIR) / program).string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  pid_ = start(std::move(words), folder_.path() / "stdout", folder_.path() / "stderr");
+}
 
+RunningProgram::~RunningProgram() {
+  if (pid_ == 0) return;
+  kill(pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+}
+
+void RunningProgram::send(int signal) const { kill(pid_, signal); }
+
+CommandResult RunningProgram::wait() {
   CommandResult result;
-  result.exitCode = waitFor(start(std::move(words), out, err));
-  result.out = readText(out);
-  result.err = readText(err);
+  result.exitCode = waitFor(std::exchange(pid_, 0));
+  result.out = readText(folder_.path() / "stdout");
+  result.err = readText(folder_.path() / "stderr");
   return result;
+}
+
+CommandResult runProgram(const std::string& program, const std::vector<std::string>& arguments) {
+  return RunningProgram(program, arguments).wait();
 }
 
 }  // namespace wardslam::test

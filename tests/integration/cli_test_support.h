@@ -1,7 +1,11 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 #include <vector>
+
+#include "support/temporary_folder.h"
 
 namespace wardslam::test {
 
@@ -10,6 +14,25 @@ struct CommandResult {
   int exitCode = 0;  ///< 128 + signal where a signal ended it.
   std::string out;   ///< Standard output.
   std::string err;   ///< Standard error.
+};
+
+/// One of our programs ("wardslam") at work, started without a shell.
+class RunningProgram {
+ public:
+  /// Throws std::runtime_error when it cannot be started.
+  RunningProgram(const std::string& program, const std::vector<std::string>& arguments);
+  ~RunningProgram();  ///< Kills it unless waited for.
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+
+  void send(int signal) const;
+
+  /// To its end.
+  [[nodiscard]] CommandResult wait();
+
+ private:
+  TemporaryFolder folder_;
+  pid_t pid_ = 0;
 };
 
 /// Runs one of our programs ("wardslam") to its end, without a shell. Throws std::runtime_error when it cannot be

@@ -1,6 +1,15 @@
 #include "wardslam/pipeline/slam_options.h"
 
 namespace wardslam::pipeline {
+namespace {
+
+/// A file that lies beside the one that names it, by its full path, so that the options can be written elsewhere.
+std::string located(const std::string& name, const std::filesystem::path& referringFile) {
+  const auto beside = std::filesystem::absolute(referringFile).parent_path() / name;
+  return std::filesystem::exists(beside) ? beside.lexically_normal().string() : name;
+}
+
+}  // namespace
 
 core::ConfigNode SlamOptions::defaultFilters() {
   return core::ConfigNode::fromText("[{class_name: 'wardslam::filters::SemanticDynamicFilter'}]", "<defaults>");
@@ -15,13 +24,14 @@ SlamOptions readSlamOptions(const std::filesystem::path& file) {
   SlamOptions::describe(options, reader);
   if (const auto filters = reader.opaque("filters"); filters.exists()) options.filters = filters;
   reader.finish();
+  options.knowledge.file = located(options.knowledge.file, file);
   return options;
 }
 
 std::string writeSlamOptions(const SlamOptions& options, const filters::FilterChain& chain) {
   core::OptionWriter writer;
   SlamOptions::describe(options, writer);
-  if (chain.empty()) return writer.text() + "filters: []\n";
+  if (chain.empty()) return writer.text() + "filters: []\n";  // a key without a value would mean the default
   writer.block("filters", chain.parameters(1));
   return writer.text();
 }

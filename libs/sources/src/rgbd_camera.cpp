@@ -11,11 +11,11 @@ namespace wardslam::sources {
 
 RgbdCamera readRgbdCamera(const std::filesystem::path& file) {
   const auto node = core::ConfigNode::fromFile(file);
+  RgbdCamera camera;
+  core::readOptions(node, camera);  // first, as a key may be missing because it is misspelt
   for (const char* key : {"width", "height", "fx", "fy", "cx", "cy"}) {
     if (!node.child(key).exists()) node.fail(std::string("the key '") + key + "' is missing from this camera file");
   }
-  RgbdCamera camera;
-  core::readOptions(node, camera);
   return camera;
 }
 
