@@ -54,7 +54,24 @@ TEST(LabelSpace, BadLinesAreNamed) {
   says("99999999999 trolley\n", "classes.txt:1: a class id from 1 to 255");
   says("100 \n", "classes.txt:1: class 100 has no name");
   says("100 trolley\n101 trolley\n", "classes.txt:2: 'trolley' is the name of class 100 already");
-  says("100 person\n", "classes.txt:1: 'person' is the name of class 1 already");
+  says("100 trolley\n100 stretcher\n", "classes.txt:2: class 100 is named 'trolley' already");
+}
+
+TEST(LabelSpace, AFileOverrulesCoco) {
+  const LabelSpace labels = readClasses("1 trolley\n2 person\n");
+  EXPECT_EQ(labels.name(1), "trolley");
+  EXPECT_EQ(labels.find("person"), ClassId{2});
+  EXPECT_EQ(labels.find("bicycle"), std::nullopt);
+  EXPECT_EQ(readClasses("100 person\n").name(1), "");
+}
+
+TEST(LabelSpace, RenamingMovesAName) {
+  LabelSpace labels = LabelSpace::coco();
+  labels.rename(100, "chair");
+  EXPECT_EQ(labels.find("chair"), ClassId{100});
+  EXPECT_EQ(labels.name(57), "");
+  labels.rename(100, "chair");
+  EXPECT_EQ(labels.find("chair"), ClassId{100});
 }
 
 TEST(LabelSpace, MissingFileIsNamed) {

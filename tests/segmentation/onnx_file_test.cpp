@@ -48,12 +48,23 @@ TEST(OnnxFile, SurvivesEveryCut) {
   }
 }
 
+TEST(OnnxFile, ListsTheOutputsInTheirOrder) {
+  test::OnnxWriter onnx;
+  onnx.addInput("images", {1, 3, 256, 320});
+  onnx.addOutput("zoo");
+  onnx.addOutput("ant");
+  EXPECT_EQ(onnxOutputs(onnx.model()), (std::vector<std::string>{"zoo", "ant"}));
+  EXPECT_TRUE(onnxOutputs("no network").empty());
+}
+
 TEST(OnnxFile, ReadsRealNetworks) {
   const std::filesystem::path models = std::filesystem::path(WARDSLAM_SHARED_DIR) / "models";
   if (!std::filesystem::exists(models)) GTEST_SKIP() << models << " is absent";
   EXPECT_EQ(onnxImageInput(test::readText(models / "yolov8n-seg_320x256.onnx")), (Shape{1, 3, 256, 320}));
   EXPECT_EQ(onnxImageInput(test::readText(models / "yolov8n-seg_640x480.onnx")), (Shape{1, 3, 480, 640}));
-  EXPECT_EQ(onnxImageInput(test::readText(models / "yolov5n-seg_320x256.onnx")), (Shape{1, 3, 256, 320}));
+  const std::string v5 = test::readText(models / "yolov5n-seg_320x256.onnx");
+  EXPECT_EQ(onnxImageInput(v5), (Shape{1, 3, 256, 320}));
+  EXPECT_EQ(onnxOutputs(v5), (std::vector<std::string>{"output0", "output1"}));
 }
 
 }  // namespace

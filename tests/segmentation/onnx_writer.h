@@ -25,10 +25,12 @@ class OnnxWriter {
   }
 
   void addNode(const std::string& operation, const std::string& name, const std::vector<std::string>& inputs,
-               const std::string& output) {
+               const std::string& output, const std::vector<std::pair<std::string, std::uint64_t>>& attributes = {}) {
     std::string node;
     for (const auto& input : inputs) node += bytes(1, input);
-    graph_ += bytes(1, node + bytes(2, output) + bytes(3, name) + bytes(4, operation));
+    node += bytes(2, output) + bytes(3, name) + bytes(4, operation);
+    for (const auto& [key, value] : attributes) node += bytes(5, bytes(1, key) + number(3, value) + number(20, kInt));
+    graph_ += bytes(1, node);
   }
 
   /// The file: IR version 7, operator set 12.
@@ -37,7 +39,8 @@ class OnnxWriter {
   }
 
  private:
-  static constexpr std::uint64_t kFloat = 1;
+  static constexpr std::uint64_t kFloat = 1;  // TensorProto.DataType
+  static constexpr std::uint64_t kInt = 2;    // AttributeProto.AttributeType
 
   static std::string varint(std::uint64_t value) {
     std::string text;

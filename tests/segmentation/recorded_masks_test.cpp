@@ -205,6 +205,20 @@ TEST_F(RecordedMasksTest, RefusesAClassesFileWithMistakes) {
   EXPECT_THAT([&] { (void)open(); }, ThrowsMessage<core::InputError>(HasSubstr("classes.txt:2")));
 }
 
+TEST_F(RecordedMasksTest, GivesGreyValuesOtherMeanings) {
+  writeMask(kFirst, personAndChair());
+  RecordedMasksOptions options;
+  options.folder = masks().string();
+  const auto labels = folder_.write("labels.yaml", "names: {100: trolley}\nclasses: {1: trolley}\n");
+  RecordedMasks masks(options, labels);
+  const auto segmentation = masks.segment(image_, kFirst_s).segmentation;
+  EXPECT_EQ(cv::countNonZero(segmentation.classIds == 100), kPerson.area());
+  EXPECT_EQ(cv::countNonZero(segmentation.classIds), kPerson.area());
+  ASSERT_EQ(segmentation.instances.size(), 1U);
+  EXPECT_EQ(segmentation.instances[0].classId, 100);
+  EXPECT_EQ(masks.labelSpace().name(100), "trolley");
+}
+
 TEST(RecordedMasksOnARecording, KnowsTheThingsOfTheWard) {
   const fs::path ward = fs::path(WARDSLAM_SHARED_DIR) / "data" / "ward_walking";
   if (!fs::exists(ward)) GTEST_SKIP() << ward << " is absent";

@@ -46,12 +46,36 @@ TEST(SegmenterFactory, PassesSetUpErrorsOn) {
   EXPECT_THAT([&] { (void)makeSegmenter(options); }, ThrowsMessage<core::InputError>(HasSubstr("/no/such/folder")));
 }
 
+TEST(SegmenterFactory, PassesOnWhatConcernsNetworks) {
+  const test::TemporaryFolder folder;
+  SegmentationOptions options;
+  for (const auto type : {Type::Yolo, Type::MaskRcnn, Type::Semantic}) {
+    options.type = type;
+    options.backend = Backend::OnnxRuntime;
+    options.mask_rcnn.model = "/no/such/graph.pb";
+    options.yolo.model = options.semantic.model = "/no/such/net.onnx";
+    EXPECT_THROW((void)makeSegmenter(options), core::InputError);
+    options.backend = Backend::OpenCv;
+    EXPECT_THAT([&] { (void)makeSegmenter(options); }, ThrowsMessage<core::InputError>(HasSubstr("/no/such/")));
+  }
+}
+
 TEST(SegmentationOptions, AreReadFromYaml) {
   const auto options = parse(
       "type: yolo\n"
       "classes: names.txt\n"
       "recorded_masks: {folder: masks, tolerance: 2, min_region: 50}\n"
-      "yolo: {model: net.onnx, confidence: 0.4, nms_iou: 0.6, mask_threshold: 0.3, max_instances: 7}\n");
+      "yolo: {model: net.onnx, confidence: 0.4, nms_iou: 0.6, mask_threshold: 0.3, max_instances: 7}\n"
+      "backend: onnxruntime\n"
+      "mask_rcnn: {model: a.pb, graph: a.pbtxt, input_width: 800, input_height: 600, confidence: 0.6}\n"
+      "semantic: {model: b.onnx, output: out, normalisation: minus_one_to_one, min_region: 9}\n");
+  EXPECT_EQ(options.backend, Backend::OnnxRuntime);
+  EXPECT_EQ(options.mask_rcnn.graph, "a.pbtxt");
+  EXPECT_EQ(options.mask_rcnn.input_width_px, 800);
+  EXPECT_EQ(options.mask_rcnn.decoder.confidence, 0.6);
+  EXPECT_EQ(options.semantic.output, "out");
+  EXPECT_EQ(options.semantic.normalisation, SemanticOptions::Normalisation::MinusOneToOne);
+  EXPECT_EQ(options.semantic.min_region_px, 9);
   EXPECT_EQ(options.type, Type::Yolo);
   EXPECT_EQ(options.classes, "names.txt");
   EXPECT_EQ(options.recorded_masks.folder, "masks");

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "support/temporary_folder.h"
+
 namespace wardslam::segmentation {
 namespace {
 
@@ -50,7 +52,8 @@ class DecodeYolo : public ::testing::TestWithParam<Version> {
     const std::vector<int> shape(detections_.size.p, detections_.size.p + 3);
     const auto layout = YoloLayout::fromShapes(shape, {1, kPrototypes, kPrototype_px, kPrototype_px});
     EXPECT_TRUE(layout && layout->version == GetParam() && layout->classes == kClasses);
-    return decodeYolo(detections_, prototypes(), *layout, Letterbox(image_px, {kInput_px, kInput_px}), options_);
+    return decodeYolo(detections_, prototypes(), *layout, Letterbox(image_px, {kInput_px, kInput_px}), labels_,
+                      options_);
   }
 
   // What the pixels should be when each of `instances` fills its box but for the part in `covered`.
@@ -74,6 +77,7 @@ class DecodeYolo : public ::testing::TestWithParam<Version> {
   }
 
   YoloDecoderOptions options_;
+  LabelMap labels_ = LabelMap::consecutive(core::LabelSpace::coco());
   cv::Mat detections_ = GetParam() == Version::V5
                             ? cv::Mat({1, kAnchors, 5 + kClasses + kPrototypes}, CV_32F, cv::Scalar(0))
                             : cv::Mat({1, 4 + kClasses + kPrototypes, kAnchors}, CV_32F, cv::Scalar(0));
@@ -116,6 +120,18 @@ TEST_P(DecodeYolo, AppliesTheMaskThresholdAsAProbability) {
   EXPECT_EQ(decode().instances.size(), 1U);
   options_.mask_threshold = 0.89;
   EXPECT_TRUE(decode().instances.empty());
+}
+
+TEST_P(DecodeYolo, GivesClassesTheirMeaningAndDropsThoseWithout) {
+  const test::TemporaryFolder folder;
+  labels_ = LabelMap::fromFile(folder.write("net.yaml", "names: {100: trolley}\nclasses: [person, ~, trolley]\n"));
+  add(0, {{0, 0, 16, 16}, 0, 0.7F});
+  add(1, {{16, 0, 16, 16}, 1, 0.9F});  // covers nothing, though more confident
+  add(2, {{16, 8, 16, 16}, 2, 0.8F});
+  const auto segmentation = decode();
+  ASSERT_EQ(segmentation.instances.size(), 2U);
+  expectFilled(segmentation, 1, 100, {16, 8, 16, 16});
+  expectFilled(segmentation, 2, 1, {0, 0, 16, 16});
 }
 
 TEST_P(DecodeYolo, PutsTheMoreConfidentOnTop) {
@@ -228,10 +244,14 @@ TEST(YoloLayout, TellsTheVersionsApart) {
   EXPECT_EQ(v5->classes, 80);
 }
 
+TEST(YoloLayout, TakesAnyNumberOfClasses) {
+  EXPECT_EQ(YoloLayout::fromShapes({1, 37, 1680}, {1, 32, 64, 80})->classes, 1);
+  EXPECT_EQ(YoloLayout::fromShapes({1, 1240, 6300}, {1, 32, 120, 160})->classes, 1204);
+}
+
 TEST(YoloLayout, RefusesOtherShapes) {
   EXPECT_FALSE(YoloLayout::fromShapes({1, 84, 1680}, {}));                // a detector: no prototypes
   EXPECT_FALSE(YoloLayout::fromShapes({1, 36, 1680}, {1, 32, 64, 80}));   // no class is left
-  EXPECT_FALSE(YoloLayout::fromShapes({1, 400, 1680}, {1, 32, 64, 80}));  // more classes than ids
   EXPECT_FALSE(YoloLayout::fromShapes({2, 116, 1680}, {1, 32, 64, 80}));  // a batch
   EXPECT_FALSE(YoloLayout::fromShapes({1, 116, 1680}, {1, 32, 0, 80}));
   EXPECT_FALSE(YoloLayout::fromShapes({116, 1680}, {1, 32, 64, 80}));

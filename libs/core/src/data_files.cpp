@@ -30,8 +30,9 @@ std::filesystem::path findDataFile(const std::filesystem::path& name, const std:
   std::vector<std::filesystem::path> folders;
   if (!referringFile.empty()) folders.push_back(referringFile.parent_path());
   if (const char* chosen = std::getenv("WARDSLAM_DATA_DIR")) folders.emplace_back(chosen);
-  folders.push_back(installedDataFolder());
-  folders.emplace_back(WARDSLAM_SOURCE_DATA_DIR);
+  const auto installed = installedDataFolder();
+  for (const auto& folder : {installed, installed.parent_path()}) folders.push_back(folder);
+  for (const char* folder : {WARDSLAM_SOURCE_DATA_DIR, WARDSLAM_SOURCE_SHARE_DIR}) folders.emplace_back(folder);
 
   std::string tried;
   for (const auto& folder : folders) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "wardslam/core/errors.h"
@@ -47,6 +48,7 @@ LabelSpace LabelSpace::cocoWith(const std::filesystem::path& classesFile) {
   std::ifstream in(classesFile);
   if (!in) throw InputError(classesFile.string() + ": cannot be opened for reading");
   LabelSpace labels = coco();
+  std::map<std::string, ClassId> given;
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
     const std::string content = trimmed(line);
@@ -59,13 +61,22 @@ LabelSpace LabelSpace::cocoWith(const std::filesystem::path& classesFile) {
     std::getline(fields, name);
     name = trimmed(name);
     if (name.empty()) fail(classesFile, number, "class " + std::to_string(id) + " has no name");
-    const auto taken = labels.find(name);
-    if (taken && *taken != id) {
-      fail(classesFile, number, "'" + name + "' is the name of class " + std::to_string(*taken) + " already");
+    const auto [entry, isNew] = given.emplace(name, static_cast<ClassId>(id));
+    if (!isNew && entry->second != id) {
+      fail(classesFile, number, "'" + name + "' is the name of class " + std::to_string(entry->second) + " already");
     }
-    labels.names_[static_cast<std::size_t>(id)] = name;
+    const std::string& before = labels.name(static_cast<ClassId>(id));
+    if (before != name && given.count(before) > 0) {
+      fail(classesFile, number, "class " + std::to_string(id) + " is named '" + before + "' already");
+    }
+    labels.rename(static_cast<ClassId>(id), name);
   }
   return labels;
+}
+
+void LabelSpace::rename(ClassId id, const std::string& name) {
+  if (const auto before = find(name)) names_[*before].clear();
+  names_[id] = name;
 }
 
 std::optional<ClassId> LabelSpace::find(const std::string& name) const {

@@ -81,10 +81,12 @@ std::vector<std::int64_t> shapeOf(std::string_view valueInfo) {
   return shape;
 }
 
+constexpr std::uint64_t kGraph = 7;
+
 }  // namespace
 
 std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes) {
-  constexpr std::uint64_t kGraph = 7, kInput = 11;
+  constexpr std::uint64_t kInput = 11;
   MessageReader graph(child(bytes, kGraph));
   while (const auto field = graph.next()) {
     if (field->number != kInput) continue;
@@ -93,6 +95,16 @@ std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes) 
     if (shape.size() == 4 && shape[0] <= 1 && (shape[1] == 3 || shape[1] == 0)) return shape;
   }
   return std::nullopt;
+}
+
+std::vector<std::string> onnxOutputs(std::string_view bytes) {
+  constexpr std::uint64_t kOutput = 12, kName = 1;
+  std::vector<std::string> names;
+  MessageReader graph(child(bytes, kGraph));
+  while (const auto field = graph.next()) {
+    if (field->number == kOutput) names.emplace_back(child(field->bytes, kName));
+  }
+  return names;
 }
 
 }  // namespace wardslam::segmentation

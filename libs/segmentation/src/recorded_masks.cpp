@@ -22,10 +22,12 @@ fs::path normalised(const std::string& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-core::LabelSpace readLabelSpace(const fs::path& masksFolder, const fs::path& classesFile) {
-  if (!classesFile.empty()) return core::LabelSpace::cocoWith(classesFile);
+LabelMap readLabels(const fs::path& masksFolder, const fs::path& classesFile) {
+  constexpr int kFirstId = 0;  // without a mapping, grey values are class ids
+  if (!classesFile.empty()) return LabelMap::fromFile(classesFile, kFirstId);
   const fs::path sibling = masksFolder.parent_path() / "classes.txt";
-  return fs::exists(sibling) ? core::LabelSpace::cocoWith(sibling) : core::LabelSpace::coco();
+  return fs::exists(sibling) ? LabelMap::fromFile(sibling, kFirstId)
+                             : LabelMap::consecutive(core::LabelSpace::coco(), kFirstId);
 }
 
 std::string sizeText(const cv::Mat& image) { return std::to_string(image.cols) + "x" + std::to_string(image.rows); }
@@ -58,7 +60,7 @@ RecordedMasks::RecordedMasks(const RecordedMasksOptions& options, const fs::path
     : folder_(normalised(options.folder)),
       options_(options),
       masks_(folder_, ".png"),
-      labelSpace_(readLabelSpace(folder_, classesFile)) {
+      labels_(readLabels(folder_, classesFile)) {
   const fs::path instances = folder_.parent_path() / "instances";
   if (fs::is_directory(instances)) instancesFolder_ = instances;
 
@@ -72,7 +74,7 @@ Segmenter::Result RecordedMasks::segment(const cv::Mat& color_bgr, double stamp_
   if (!file) return miss("segmentation.mask_missing", describeNoMatch(stamp_s));
 
   constexpr const char* kUnreadable = "segmentation.mask_unreadable";
-  const cv::Mat classIds = readImage(*file);
+  cv::Mat classIds = readImage(*file);
   if (classIds.empty()) {
     return miss(kUnreadable, file->string() + ": damaged or not a PNG; write the masks anew or leave this one out");
   }
@@ -82,6 +84,7 @@ Segmenter::Result RecordedMasks::segment(const cv::Mat& color_bgr, double stamp_
                                  sizeText(color_bgr) + "; give masks made from images of that size");
   }
   usedAny_ = true;
+  classIds = labels_.apply(classIds);
   Result result;
   result.segmentation.classIds = classIds;
   result.segmentation.instanceIds = readInstanceIds(*file, classIds, result.events);

@@ -7,7 +7,11 @@ std::unique_ptr<Segmenter> makeSegmenter(const SegmentationOptions& options) {
     case SegmentationOptions::Type::RecordedMasks:
       return std::make_unique<RecordedMasks>(options.recorded_masks, options.classes);
     case SegmentationOptions::Type::Yolo:
-      return std::make_unique<YoloSegmenter>(options.yolo, options.classes);
+      return std::make_unique<YoloSegmenter>(options.yolo, options.classes, options.backend);
+    case SegmentationOptions::Type::MaskRcnn:
+      return std::make_unique<MaskRcnnSegmenter>(options.mask_rcnn, options.classes, options.backend);
+    case SegmentationOptions::Type::Semantic:
+      return std::make_unique<SemanticSegmenter>(options.semantic, options.classes, options.backend);
     case SegmentationOptions::Type::None:
       break;
   }

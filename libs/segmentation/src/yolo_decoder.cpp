@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <opencv2/dnn.hpp>
-#include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "instance_painter.h"
 
 namespace wardslam::segmentation {
 namespace {
@@ -15,24 +16,47 @@ struct Detection {
   cv::Rect2d box_px;  // in the input
   float confidence = 0.0F;
   core::ClassId classId = 0;
-  const float* coefficients = nullptr;
+  std::vector<float> coefficients;
 };
 
-std::optional<Detection> readAnchor(const float* values, const YoloLayout& layout, float threshold) {
+std::optional<Detection> readAnchor(const float* values, const YoloLayout& layout, const LabelMap& labels,
+                                    float threshold) {
   const bool hasObjectness = layout.version == YoloLayout::Version::V5;
   const float objectness = hasObjectness ? values[kBoxValues] : 1.0F;
   if (!(objectness >= threshold)) return std::nullopt;
   const float* scores = values + kBoxValues + (hasObjectness ? 1 : 0);
   const float* best = std::max_element(scores, scores + layout.classes);
   const float confidence = objectness * *best;
+  const core::ClassId classId = labels.classOf(static_cast<int>(best - scores));
   const bool isBoxFinite = std::all_of(values, values + kBoxValues, [](float value) { return std::isfinite(value); });
-  if (!(confidence >= threshold) || !isBoxFinite) return std::nullopt;
+  if (!(confidence >= threshold) || classId == 0 || !isBoxFinite) return std::nullopt;
   const double width = values[2];
   const double height = values[3];
+  const float* coefficients = scores + layout.classes;
   return Detection{{values[0] - width / 2, values[1] - height / 2, width, height},
                    confidence,
-                   static_cast<core::ClassId>(best - scores + 1),
-                   scores + layout.classes};
+                   classId,
+                   {coefficients, coefficients + layout.prototypes}};
+}
+
+std::vector<Detection> readAnchors(const cv::Mat& detections, const YoloLayout& layout, const LabelMap& labels,
+                                   float threshold) {
+  const cv::Mat values = detections.reshape(1, detections.size[1]);
+  std::vector<Detection> found;
+  const auto read = [&](const float* anchor) {
+    if (auto detection = readAnchor(anchor, layout, labels, threshold)) found.push_back(std::move(*detection));
+  };
+  if (layout.version == YoloLayout::Version::V5) {
+    for (int i = 0; i < values.rows; ++i) read(values.ptr<float>(i));
+    return found;
+  }
+  // An anchor is a column here. Hardly any is worth the slow walk down it.
+  cv::Mat best;
+  cv::reduce(values.rowRange(kBoxValues, kBoxValues + layout.classes), best, 0, cv::REDUCE_MAX);
+  for (int i = 0; i < values.cols; ++i) {
+    if (best.at<float>(0, i) >= threshold) read(cv::Mat(values.col(i).t()).ptr<float>());
+  }
+  return found;
 }
 
 // Strongest first. Boxes of different classes are moved apart so that one run suppresses within classes only.
@@ -59,7 +83,6 @@ class MaskAssembler {
  public:
   MaskAssembler(const cv::Mat& prototypes, const Letterbox& letterbox, double threshold)
       : prototypes_(prototypes),
-        count_(prototypes.size[1]),
         size_(prototypes.size[3], prototypes.size[2]),
         logitThreshold_(std::log(threshold / (1.0 - threshold))) {
     const double strideX = static_cast<double>(letterbox.input_px().width) / size_.width;
@@ -69,18 +92,14 @@ class MaskAssembler {
   }
 
   // 255 where the instance is; `box_px` lies in the image and is not empty.
-  [[nodiscard]] cv::Mat assemble(const float* coefficients, const cv::Rect& box_px) const {
+  [[nodiscard]] cv::Mat assemble(const std::vector<float>& coefficients, const cv::Rect& box_px) const {
     const cv::Point2d first = toPrototype(box_px.tl());
     const cv::Point2d last = toPrototype(box_px.br() - cv::Point(1, 1));
     const cv::Point begin(clampX(std::floor(first.x)), clampY(std::floor(first.y)));
     const cv::Point end(clampX(std::ceil(last.x)) + 1, clampY(std::ceil(last.y)) + 1);
     const cv::Mat logits = weightedSum(coefficients, {begin, end});
-
-    const cv::Matx23d fromBox(scale_.x, 0.0, first.x - begin.x, 0.0, scale_.y, first.y - begin.y);
-    cv::Mat resampled;
-    cv::warpAffine(logits, resampled, fromBox, box_px.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                   cv::BORDER_REPLICATE);
-    return resampled > logitThreshold_;
+    const cv::Point2d offset = cv::Point2d(box_px.x * scale_.x, box_px.y * scale_.y) + offset_ - cv::Point2d(begin);
+    return thresholdResampled(logits, box_px.size(), scale_, offset, logitThreshold_);
   }
 
  private:
@@ -91,39 +110,21 @@ class MaskAssembler {
   [[nodiscard]] int clampX(double x) const { return std::clamp(static_cast<int>(x), 0, size_.width - 1); }
   [[nodiscard]] int clampY(double y) const { return std::clamp(static_cast<int>(y), 0, size_.height - 1); }
 
-  [[nodiscard]] cv::Mat weightedSum(const float* coefficients, const cv::Rect& area) const {
+  [[nodiscard]] cv::Mat weightedSum(const std::vector<float>& coefficients, const cv::Rect& area) const {
     cv::Mat sum(area.size(), CV_32F, cv::Scalar(0));
-    for (int i = 0; i < count_; ++i) {
-      const cv::Mat prototype(size_, CV_32F, const_cast<float*>(prototypes_.ptr<float>(0, i)));
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+      const cv::Mat prototype(size_, CV_32F, const_cast<float*>(prototypes_.ptr<float>(0, static_cast<int>(i))));
       cv::scaleAdd(prototype(area), coefficients[i], sum, sum);
     }
     return sum;
   }
 
   const cv::Mat& prototypes_;
-  int count_;
   cv::Size size_;
   cv::Point2d scale_;      // image pixels to prototype pixels
   cv::Point2d offset_;     // prototype pixels
   double logitThreshold_;  // sigmoid(logit) > threshold where the logit is above this
 };
-
-cv::Rect roundedWithin(const cv::Rect2d& box, const cv::Size& image_px) {
-  // Clamped before the conversion to integers, which a wild box would overflow.
-  const auto edge = [](double value, int limit) { return cvRound(std::clamp(value, 0.0, static_cast<double>(limit))); };
-  return {cv::Point(edge(box.x, image_px.width), edge(box.y, image_px.height)),
-          cv::Point(edge(box.x + box.width, image_px.width), edge(box.y + box.height, image_px.height))};
-}
-
-void paint(core::Segmentation& segmentation, const Detection& detection, const cv::Rect& box_px, cv::Mat mask) {
-  cv::Mat instanceIds = segmentation.instanceIds(box_px);
-  mask &= instanceIds == 0;
-  if (cv::countNonZero(mask) == 0) return;
-  const auto id = static_cast<std::uint16_t>(segmentation.instances.size() + 1);
-  instanceIds.setTo(id, mask);
-  segmentation.classIds(box_px).setTo(detection.classId, mask);
-  segmentation.instances.push_back({id, detection.classId, std::min(detection.confidence, 1.0F), box_px});
-}
 
 }  // namespace
 
@@ -136,32 +137,21 @@ std::optional<YoloLayout> YoloLayout::fromShapes(const std::vector<int>& detecti
   layout.prototypes = prototypes[1];
   const int objectness = layout.version == Version::V5 ? 1 : 0;
   layout.classes = std::min(detections[1], detections[2]) - kBoxValues - objectness - layout.prototypes;
-  const bool fits = layout.classes >= 1 && layout.classes <= std::numeric_limits<core::ClassId>::max() &&
-                    *std::min_element(prototypes.begin(), prototypes.end()) > 0;
+  const bool fits = layout.classes >= 1 && *std::min_element(prototypes.begin(), prototypes.end()) > 0;
   return fits ? std::optional(layout) : std::nullopt;
 }
 
 core::Segmentation decodeYolo(const cv::Mat& detections, const cv::Mat& prototypes, const YoloLayout& layout,
-                              const Letterbox& letterbox, const YoloDecoderOptions& options) {
-  cv::Mat anchors = detections.reshape(1, detections.size[1]);
-  if (layout.version == YoloLayout::Version::V8) anchors = anchors.t();
-
-  std::vector<Detection> found;
-  for (int i = 0; i < anchors.rows; ++i) {
-    const auto detection = readAnchor(anchors.ptr<float>(i), layout, static_cast<float>(options.confidence));
-    if (detection) found.push_back(*detection);
-  }
-
-  core::Segmentation segmentation;
-  segmentation.classIds = cv::Mat(letterbox.image_px(), CV_8UC1, cv::Scalar(0));
-  segmentation.instanceIds = cv::Mat(letterbox.image_px(), CV_16UC1, cv::Scalar(0));
+                              const Letterbox& letterbox, const LabelMap& labels, const YoloDecoderOptions& options) {
+  const auto found = readAnchors(detections, layout, labels, static_cast<float>(options.confidence));
   const MaskAssembler assembler(prototypes, letterbox, options.mask_threshold);
+  InstancePainter painter(letterbox.image_px());
   for (const auto& detection : suppress(found, letterbox.input_px(), options)) {
     const cv::Rect box_px = roundedWithin(letterbox.toImage(detection.box_px), letterbox.image_px());
     if (box_px.empty()) continue;
-    paint(segmentation, detection, box_px, assembler.assemble(detection.coefficients, box_px));
+    painter.paint(detection.classId, detection.confidence, box_px, assembler.assemble(detection.coefficients, box_px));
   }
-  return segmentation;
+  return painter.segmentation();
 }
 
 }  // namespace wardslam::segmentation

@@ -16,9 +16,12 @@ class LabelSpace {
   /// 0 "unclassified", 1 "person" … 80 "toothbrush", in the order of the 80-class COCO list.
   [[nodiscard]] static LabelSpace coco();
 
-  /// COCO extended by a text file of "<id> <name>" lines. Throws InputError with file and line on an id outside
-  /// 1..255, a missing name, or a name given to two ids.
+  /// COCO extended or overruled by a text file of "<id> <name>" lines. Throws InputError with file and line on an id
+  /// outside 1..255, a missing name, or an id or a name that the file gives twice with different meanings.
   [[nodiscard]] static LabelSpace cocoWith(const std::filesystem::path& classesFile);
+
+  /// Names an id; another id that had this name is left without one.
+  void rename(ClassId id, const std::string& name);
 
   /// Empty when the id has no name.
   [[nodiscard]] const std::string& name(ClassId id) const { return names_[id]; }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,5 +13,9 @@ namespace wardslam::segmentation {
 ///
 /// Walks the protobuf message ModelProto by its field numbers, see onnx.proto: no more of it is needed here.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes);
+
+/// Names of the outputs that an ONNX file declares, in its order, which cv::dnn does not keep. Empty when the bytes are
+/// not ONNX.
+[[nodiscard]] std::vector<std::string> onnxOutputs(std::string_view bytes);
 
 }  // namespace wardslam::segmentation

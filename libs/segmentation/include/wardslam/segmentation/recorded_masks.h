@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "wardslam/segmentation/label_map.h"
 #include "wardslam/segmentation/segmenter.h"
 #include "wardslam/segmentation/stamped_files.h"
 
@@ -19,7 +20,8 @@ struct RecordedMasksOptions {
 
 /// Segmentation that was made before: a folder of class-id PNGs (8-bit, 0 = none) named by the stamp of the colour
 /// image. Instance ids come from the sibling folder instances/ (8- or 16-bit PNGs of the same names), or else from the
-/// regions of equal class; names from the sibling file classes.txt, where there is one, on top of COCO's.
+/// regions of equal class; names from the sibling file classes.txt, where there is one, on top of COCO's. A label file
+/// may give the grey values other meanings.
 ///
 /// Events: "segmentation.mask_missing" and "segmentation.mask_unreadable" (also: not 8-bit single-channel, other size
 /// than the image) with an empty result; "segmentation.instances_unreadable" where regions had to replace instances.
@@ -33,7 +35,7 @@ class RecordedMasks : public Segmenter {
 
   [[nodiscard]] Result segment(const cv::Mat& color_bgr, double stamp_s) override;
   void finish() override;
-  [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labelSpace_; }
+  [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labels_.labels(); }
 
  private:
   [[nodiscard]] cv::Mat readInstanceIds(const std::filesystem::path& maskFile, const cv::Mat& classIds,
@@ -45,7 +47,7 @@ class RecordedMasks : public Segmenter {
   std::filesystem::path instancesFolder_;  ///< Empty: there is none.
   RecordedMasksOptions options_;
   StampedFiles masks_;
-  core::LabelSpace labelSpace_;
+  LabelMap labels_;
 
   bool usedAny_ = false;
   std::size_t missesFromStart_ = 0;

@@ -4,20 +4,26 @@
 #include <memory>
 #include <string>
 
+#include "wardslam/segmentation/mask_rcnn_segmenter.h"
+#include "wardslam/segmentation/network.h"
 #include "wardslam/segmentation/recorded_masks.h"
 #include "wardslam/segmentation/segmenter.h"
+#include "wardslam/segmentation/semantic_segmenter.h"
 #include "wardslam/segmentation/yolo_segmenter.h"
 
 namespace wardslam::segmentation {
 
 /// Section `segmentation:` of the configuration.
 struct SegmentationOptions {
-  enum class Type : std::uint8_t { None, RecordedMasks, Yolo };
+  enum class Type : std::uint8_t { None, RecordedMasks, Yolo, MaskRcnn, Semantic };
 
   Type type = Type::None;
   std::string classes;
+  Backend backend = Backend::OpenCv;
   RecordedMasksOptions recorded_masks;
   YoloOptions yolo;
+  MaskRcnnOptions mask_rcnn;
+  SemanticOptions semantic;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit);
@@ -28,11 +34,15 @@ struct SegmentationOptions {
 
 template <class Self, class Visitor>
 void SegmentationOptions::describe(Self& self, Visitor& visit) {
-  visit("type", self.type, {"none", "recorded_masks", "yolo"}, "where masks come from");
+  visit("type", self.type, {"none", "recorded_masks", "yolo", "mask_rcnn", "semantic"}, "where masks come from");
   visit("classes", self.classes,
-        "file of '<id> <name>' lines that extends the COCO names; empty: what the masks bring");
+        "label file (labels/voc21.yaml, or lines of '<id> <name>'): what the class numbers of network or masks mean; "
+        "empty: told by their count, or by what the masks bring");
+  visit("backend", self.backend, {"opencv", "onnxruntime"}, "which library runs the network");
   visit.group("recorded_masks", self.recorded_masks);
   visit.group("yolo", self.yolo);
+  visit.group("mask_rcnn", self.mask_rcnn);
+  visit.group("semantic", self.semantic);
 }
 
 }  // namespace wardslam::segmentation

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wardslam/core/segmentation.h"
+#include "wardslam/segmentation/label_map.h"
 #include "wardslam/segmentation/letterbox.h"
 
 namespace wardslam::segmentation {
@@ -37,11 +38,11 @@ struct YoloLayout {
 
 /// Turns the two output tensors (CV_32F) into a segmentation of the image: detections above the confidence threshold,
 /// non-maximum suppression per class, masks = sigmoid(coefficients x prototypes) inside each box, resampled linearly
-/// before the threshold. Class id = class index + 1. Instances are numbered from 1 by falling confidence; where they
-/// overlap the more confident one has the pixel, and one left without any is dropped.
+/// before the threshold. Instances are numbered from 1 by falling confidence; where they overlap the more confident one
+/// has the pixel, and one left without any is dropped, as is one of a class the labels leave unclassified.
 [[nodiscard]] core::Segmentation decodeYolo(const cv::Mat& detections, const cv::Mat& prototypes,
                                             const YoloLayout& layout, const Letterbox& letterbox,
-                                            const YoloDecoderOptions& options);
+                                            const LabelMap& labels, const YoloDecoderOptions& options);
 
 template <class Self, class Visitor>
 void YoloDecoderOptions::describe(Self& self, Visitor& visit) {

@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "wardslam/segmentation/label_map.h"
+#include "wardslam/segmentation/network.h"
 #include "wardslam/segmentation/segmenter.h"
 #include "wardslam/segmentation/yolo_decoder.h"
 
@@ -17,28 +19,34 @@ struct YoloOptions {
   static void describe(Self& self, Visitor& visit);
 };
 
-/// A YOLO-seg network (YOLOv5-seg or YOLOv8-seg layout, ONNX, input of fixed size) on cv::dnn, on the CPU.
+/// A YOLO-seg network (YOLOv5-seg or YOLOv8-seg layout, ONNX, input of fixed size).
 ///
 /// Event "segmentation.network_failed": the network could not be run on this image; the result is empty.
 class YoloSegmenter : public Segmenter {
  public:
-  /// Loads the network and runs it once. `classesFile`: names in place of COCO's; needed unless the network knows 80
-  /// classes. Throws core::InputError when the file is missing, damaged, not for this OpenCV or not a YOLO-seg network.
-  explicit YoloSegmenter(const YoloOptions& options, const std::filesystem::path& classesFile = {});
-  ~YoloSegmenter() override;
+  /// Loads the network and runs it once. `classesFile`: label file; may be empty where the number of classes says
+  /// enough (see LabelMap::forNetwork). Throws core::InputError when the file is missing, damaged, not for this OpenCV
+  /// or not a YOLO-seg network, or the labels do not fit.
+  explicit YoloSegmenter(const YoloOptions& options, const std::filesystem::path& classesFile = {},
+                         Backend backend = Backend::OpenCv);
+
+  /// With a network that is open already; `source` is for error messages.
+  YoloSegmenter(const YoloOptions& options, OpenedNetwork opened, const NetworkSource& source,
+                const std::filesystem::path& classesFile = {});
 
   [[nodiscard]] Result segment(const cv::Mat& color_bgr, double stamp_s) override;
-  [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labelSpace_; }
+  [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labels_.labels(); }
 
   /// What the network takes.
-  [[nodiscard]] cv::Size inputSize_px() const;
+  [[nodiscard]] const cv::Size& inputSize_px() const { return input_px_; }
 
  private:
-  class Network;
-
   YoloDecoderOptions options_;
   std::unique_ptr<Network> network_;
-  core::LabelSpace labelSpace_;
+  cv::Size input_px_;
+  std::size_t detectionsIndex_ = 0;  ///< Which of the two outputs.
+  YoloLayout layout_;
+  LabelMap labels_;
 };
 
 template <class Self, class Visitor>

@@ -1,0 +1,99 @@
+#include "wardslam/segmentation/network.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "onnxruntime_network.h"
+#include "opencv_network.h"
+#include "wardslam/core/errors.h"
+#include "wardslam/segmentation/onnx_file.h"
+
+namespace wardslam::segmentation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kMaxInput_px = 8192;
+
+[[noreturn]] void fail(const fs::path& file, const std::string& what) {
+  throw core::InputError(file.string() + ": " + what);
+}
+
+/// `wanted`: what the file should be, for the error message.
+std::string readBytes(const fs::path& file, const std::string& wanted) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || fs::is_directory(file)) fail(file, "cannot be opened for reading; give " + wanted);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string readModel(const NetworkSource& source) {
+  if (source.model.empty()) throw core::InputError("a " + source.kind + " network needs its file (" + source.key + ")");
+  return readBytes(source.model, "the file of a " + source.kind + " network");
+}
+
+/// Empty where the file leaves it open.
+cv::Size onnxInputSize(const NetworkSource& source, std::string_view bytes) {
+  const auto shape = onnxImageInput(bytes);
+  if (!shape) fail(source.model, "takes no image of three channels; give a " + source.kind + " network");
+  const std::int64_t height = (*shape)[2];
+  const std::int64_t width = (*shape)[3];
+  if (std::min(height, width) < 1 || std::max(height, width) > kMaxInput_px) return {};
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+OpenedNetwork openOnnx(NetworkSource source) {
+  const std::string bytes = readModel(source);
+  if (source.outputs.empty()) source.outputs = onnxOutputs(bytes);
+  OpenedNetwork opened;
+  if constexpr (hasOnnxRuntime()) {
+    if (source.backend == Backend::OnnxRuntime) opened.network = makeOnnxRuntimeNetwork(source, bytes);
+  }
+  if (!opened.network) opened.network = std::make_unique<OpenCvNetwork>(source, bytes);
+  opened.input_px = onnxInputSize(source, bytes);
+  return opened;
+}
+
+OpenedNetwork openTensorFlow(const NetworkSource& source) {
+  if (source.backend != Backend::OpenCv) {
+    fail(source.model, "ONNX Runtime runs ONNX files only; set segmentation.backend to opencv");
+  }
+  const std::string bytes = readModel(source);
+  const auto graph =
+      source.graph.empty() ? "" : readBytes(source.graph, "OpenCV's description (.pbtxt) of " + source.model.string());
+  return {std::make_unique<OpenCvNetwork>(source, bytes, graph), {}};
+}
+
+}  // namespace
+
+OpenedNetwork openNetwork(const NetworkSource& source) {
+  if (source.backend == Backend::OnnxRuntime && !hasOnnxRuntime()) {
+    throw core::InputError(
+        "this build has no ONNX Runtime; set segmentation.backend to opencv, or build with "
+        "-D WARDSLAM_ONNXRUNTIME_ROOT=<folder of ONNX Runtime>");
+  }
+  return source.model.extension() == ".pb" ? openTensorFlow(source) : openOnnx(source);
+}
+
+std::vector<int> shapeOf(const cv::Mat& tensor) { return {tensor.size.p, tensor.size.p + tensor.dims}; }
+
+std::string shapesText(const std::vector<cv::Mat>& tensors) {
+  std::string text;
+  for (const auto& tensor : tensors) {
+    text += text.empty() ? "[" : ", [";
+    for (int i = 0; i < tensor.dims; ++i) text += (i > 0 ? "," : "") + std::to_string(tensor.size[i]);
+    text += "]";
+  }
+  return text;
+}
+
+std::vector<cv::Mat> tryNetwork(Network& network, const cv::Mat& blob, const NetworkSource& source) {
+  try {
+    return network.infer(blob);
+  } catch (const NetworkError& error) {
+    fail(source.model, error.what() + source.advice);
+  }
+}
+
+}  // namespace wardslam::segmentation
