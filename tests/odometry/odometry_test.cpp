@@ -1,0 +1,204 @@
+#include "wardslam/odometry/odometry.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "odometry/synthetic_world.h"
+
+namespace wardslam::odometry {
+namespace {
+
+using test::Noise;
+using test::SyntheticWorld;
+
+constexpr int kImages = 60;
+constexpr Noise kNoise{0.5, 1.0, 8};
+
+Eigen::Isometry3d truth(int image) {
+  return SyntheticWorld::T_world_cam(0, kImages).inverse() * SyntheticWorld::T_world_cam(image, kImages);
+}
+
+double distance_m(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return (a.translation() - b.translation()).norm();
+}
+
+double angle_deg(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() * 180 / M_PI;
+}
+
+/// A camera on a known path among points with known descriptors.
+class OdometryTest : public ::testing::Test {
+ protected:
+  OdometryResult trackImage(int image, const Noise& noise = kNoise) {
+    return track(world_.look(SyntheticWorld::T_world_cam(image, kImages), noise));
+  }
+  OdometryResult track(const core::Features& features) {
+    return odometry_.track(stamp_s_ += 1.0 / 30, SyntheticWorld::camera(), features);
+  }
+
+  static OdometryOptions options() {
+    OdometryOptions options;
+    options.min_initial_points = 80;
+    options.max_lost_frames = 5;
+    return options;
+  }
+
+  SyntheticWorld world_;
+  Odometry odometry_{options()};
+  double stamp_s_ = 0;
+};
+
+TEST_F(OdometryTest, FollowsTheTruthWithinMillimetres) {
+  double squares_m2 = 0;
+  for (int image = 0; image < kImages; ++image) {
+    const auto result = trackImage(image);
+    ASSERT_EQ(result.state, State::Ok) << image;
+    EXPECT_LT(distance_m(result.T_map_cam, truth(image)), 0.01) << image;
+    EXPECT_LT(angle_deg(result.T_map_cam, truth(image)), 0.2) << image;
+    EXPECT_GT(result.inliers, image > 0 ? 200 : -1) << image;
+    EXPECT_LE(result.inliers, result.matches) << image;
+    squares_m2 += std::pow(distance_m(result.T_map_cam, truth(image)), 2);
+  }
+  EXPECT_LT(std::sqrt(squares_m2 / kImages), 0.004);
+}
+
+TEST_F(OdometryTest, WithoutNoiseItIsExact) {
+  for (int image = 0; image < kImages; ++image) {
+    const auto result = trackImage(image, {});
+    ASSERT_TRUE(result.hasPose());
+    EXPECT_LT(distance_m(result.T_map_cam, truth(image)), 1e-4) << image;
+  }
+}
+
+TEST_F(OdometryTest, TheFirstCameraIsTheMapFrame) {
+  const auto result = trackImage(0);
+  EXPECT_EQ(result.state, State::Ok);
+  EXPECT_TRUE(result.T_map_cam.isApprox(Eigen::Isometry3d::Identity()));
+  ASSERT_NE(result.keyframe, nullptr);
+  EXPECT_EQ(result.keyframe->id, 1U);
+  EXPECT_EQ(result.referenceKeyframe, 1U);
+}
+
+TEST_F(OdometryTest, KeyframesComeWhenThereIsSomethingNew) {
+  std::set<KeyframeId> ids;
+  for (int image = 0; image < kImages; ++image) {
+    const auto result = trackImage(image);
+    const Eigen::Isometry3d& T_map_cam = result.T_map_cam;
+    if (!result.keyframe) continue;
+    ids.insert(result.keyframe->id);
+    EXPECT_TRUE(result.keyframe->T_map_cam.isApprox(T_map_cam));
+    EXPECT_TRUE(result.T_keyframe_cam.isApprox(Eigen::Isometry3d::Identity(), 1e-9));
+    ASSERT_FALSE(result.keyframe->sightings.empty());
+    for (const Sighting& sighting : result.keyframe->sightings) {
+      EXPECT_LT(sighting.keypoint, result.keyframe->features.size());
+    }
+  }
+  EXPECT_GE(ids.size(), 3U);
+  EXPECT_LE(ids.size(), 30U);
+  EXPECT_EQ(*ids.rbegin(), ids.size()) << "they count up by one";
+
+  Odometry still{options()};
+  int keyframesOfAStillCamera = 0;
+  for (int i = 0; i < 20; ++i) {
+    const auto features = world_.look(SyntheticWorld::T_world_cam(0, kImages));
+    if (still.track(i, SyntheticWorld::camera(), features).keyframe) ++keyframesOfAStillCamera;
+  }
+  EXPECT_EQ(keyframesOfAStillCamera, 1);
+}
+
+TEST_F(OdometryTest, IsLostWhenFeaturesVanishAndRecoversWhenTheyReturn) {
+  for (int image = 0; image < 20; ++image) trackImage(image);
+  for (int i = 0; i < 3; ++i) {
+    const auto result = track({});
+    EXPECT_EQ(result.state, State::Lost);
+    EXPECT_FALSE(result.hasPose());
+  }
+  // Meanwhile the camera went on by 10 cm and a few degrees, farther than from image to image.
+  for (int image = 26; image < 32; ++image) {
+    const auto result = trackImage(image);
+    ASSERT_EQ(result.state, State::Ok) << image;
+    EXPECT_LT(distance_m(result.T_map_cam, truth(image)), 0.01) << "in the same map frame";
+  }
+}
+
+TEST_F(OdometryTest, ForeignFeaturesAreNoPlaceItKnows) {
+  for (int image = 0; image < 10; ++image) trackImage(image);
+  EXPECT_EQ(track(world_.lookElsewhere(800)).state, State::Lost);
+  const auto back = trackImage(12);
+  EXPECT_EQ(back.state, State::Ok);
+  EXPECT_LT(distance_m(back.T_map_cam, truth(12)), 0.01);
+}
+
+TEST_F(OdometryTest, FollowsTheMajorityWhereSomeMoveAlongWithTheCamera) {
+  SyntheticWorld onBoard(1500, 2);  // half as many points as in the world, always seen alike
+  for (int image = 0; image < 20; ++image) {
+    auto features = world_.look(SyntheticWorld::T_world_cam(image, kImages), kNoise);
+    const auto foreign = onBoard.look(Eigen::Isometry3d::Identity(), kNoise);
+    features.keypoints.insert(features.keypoints.end(), foreign.keypoints.begin(), foreign.keypoints.end());
+    features.descriptors.push_back(foreign.descriptors);
+    const auto result = track(features);
+    ASSERT_EQ(result.state, State::Ok) << image;
+    EXPECT_LT(distance_m(result.T_map_cam, truth(image)), 0.01) << image;
+  }
+}
+
+TEST_F(OdometryTest, StartsFirstWhenThereAreEnoughPointsWithDepth) {
+  SyntheticWorld sparse(200);
+  const auto few = sparse.look(SyntheticWorld::T_world_cam(0, kImages));
+  ASSERT_LT(few.size(), 80U);
+  EXPECT_EQ(track(few).state, State::Initialising);
+  EXPECT_EQ(track({}).state, State::Initialising);
+
+  auto withoutDepth = world_.look(SyntheticWorld::T_world_cam(0, kImages));
+  for (auto& keypoint : withoutDepth.keypoints) keypoint.depth_m = 0.0F;
+  const auto result = track(withoutDepth);
+  EXPECT_EQ(result.state, State::Initialising);
+  EXPECT_FALSE(result.hasPose());
+  EXPECT_EQ(result.keyframe, nullptr);
+
+  EXPECT_EQ(trackImage(0).state, State::Ok);
+}
+
+TEST_F(OdometryTest, SameInputSameOutput) {
+  const auto run = [] {
+    SyntheticWorld world;
+    Odometry odometry{options()};
+    std::vector<OdometryResult> results;
+    for (int image = 0; image < 30; ++image) {
+      const auto features =
+          image == 15 ? core::Features{} : world.look(SyntheticWorld::T_world_cam(image, kImages), kNoise);
+      results.push_back(odometry.track(image, SyntheticWorld::camera(), features));
+    }
+    return results;
+  };
+  const auto once = run();
+  const auto again = run();
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    EXPECT_EQ(once[i].T_map_cam.matrix(), again[i].T_map_cam.matrix()) << "to the last bit, in image " << i;
+    EXPECT_EQ(once[i].inliers, again[i].inliers);
+    EXPECT_EQ(once[i].state, again[i].state);
+  }
+}
+
+TEST_F(OdometryTest, MovesAlongWhenItsKeyframeIsCorrected) {
+  trackImage(0);
+  const auto before = trackImage(1);
+  const Eigen::Isometry3d correction(Eigen::Translation3d(0.5, 0, 0));
+  MapUpdate update;
+  update.T_map_cam[before.referenceKeyframe] = correction;  // it was at the origin
+  odometry_.apply(update);
+  // With the points where they were, the next image puts the camera back to where it is.
+  const auto result = trackImage(2);
+  EXPECT_EQ(result.referenceKeyframe, before.referenceKeyframe);
+  EXPECT_TRUE((correction * result.T_keyframe_cam).isApprox(result.T_map_cam, 1e-9));
+}
+
+TEST(State, HasAName) {
+  EXPECT_EQ(toString(State::Initialising), "initialising");
+  EXPECT_EQ(toString(State::Ok), "ok");
+  EXPECT_EQ(toString(State::Lost), "lost");
+}
+
+}  // namespace
+}  // namespace wardslam::odometry
