@@ -1,0 +1,230 @@
+#include "wardslam/pipeline/slam_system.h"
+
+#include <gmock/gmock.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <string>
+#include <vector>
+
+#include "support/temporary_folder.h"
+#include "support/textured_room.h"
+#include "wardslam/core/errors.h"
+#include "wardslam/core/mrpt_compat.h"
+
+namespace wardslam::test {
+
+/// Writes down what is asked of it, and rejects every other key point.
+class RecordingFilter : public filters::ObservationFilter {
+  DEFINE_MRPT_OBJECT(RecordingFilter, wardslam::test)
+
+ public:
+  static std::vector<std::string>& log() {
+    static std::vector<std::string> lines;
+    return lines;
+  }
+
+  void initialize(const core::ConfigNode&, const filters::FilterContext& context) override {
+    log().emplace_back(context.knowledge ? "initialize" : "initialize without knowledge");
+  }
+  void begin(const core::Frame& frame) override {
+    log().push_back("begin" + number(frame) + (frame.features.size() == 0 ? "" : " too late"));
+  }
+  void apply(core::Frame& frame) override {
+    log().push_back("apply" + number(frame) + (frame.features.size() > 0 ? "" : " too early"));
+    auto& keypoints = frame.features.keypoints;
+    for (std::size_t i = 0; i < keypoints.size(); i += 2) keypoints[i].motion = core::Motion::Dynamic;
+    ++frame.events["test.applied"];
+  }
+  [[nodiscard]] std::string parameters(int) const override { return {}; }
+
+ private:
+  static std::string number(const core::Frame& frame) { return " " + std::to_string(frame.index); }
+};
+
+IMPLEMENTS_MRPT_OBJECT(RecordingFilter, filters::ObservationFilter, wardslam::test)
+
+}  // namespace wardslam::test
+
+namespace wardslam::pipeline {
+namespace {
+
+using mrpt::obs::CObservation3DRangeScan;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::shared_ptr<CObservation3DRangeScan> observe(const test::TexturedRoom& room, int image) {
+  const auto view = room.look(test::TexturedRoom::T_room_cam(image));
+  auto scan = CObservation3DRangeScan::Create();
+  scan->timestamp = core::toMrptTime(1000.0 + image / 32.0);
+  scan->cameraParams = scan->cameraParamsIntensity = core::toMrpt(test::TexturedRoom::camera320x240());
+  scan->hasIntensityImage = true;
+  scan->intensityImage = mrpt::img::CImage(view.color_bgr, mrpt::img::DEEP_COPY);
+  scan->hasRangeImage = true;
+  scan->range_is_depth = true;
+  scan->rangeUnits = 1.0F / 5000.0F;
+  scan->rangeImage_setSize(view.depth_m.rows, view.depth_m.cols);
+  view.depth_m.convertTo(cv::Mat(view.depth_m.size(), CV_16UC1, scan->rangeImage.data()), CV_16U, 5000.0);
+  return scan;
+}
+
+/// Writes into the log of the filter, so that the order of all shows.
+class RecordingObserver : public FrameObserver {
+ public:
+  explicit RecordingObserver(std::string name) : name_(std::move(name)) {}
+
+  void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override {
+    test::RecordingFilter::log().push_back(name_ + " " + std::to_string(frame.index) + " " +
+                                           odometry::toString(odometry.state));
+    staticKeypoints = core::selectStatic(frame.features).size();
+    keypoints = frame.features.size();
+    events = frame.events;
+    lastMatches = odometry.matches;
+  }
+
+  std::size_t staticKeypoints = 0;
+  std::size_t keypoints = 0;
+  int lastMatches = 0;
+  core::EventCounts events;
+
+ private:
+  std::string name_;
+};
+
+class SlamSystemTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    mrpt::rtti::registerClass(CLASS_ID(test::RecordingFilter));
+    test::RecordingFilter::log().clear();
+  }
+
+  static SlamOptions withoutFilters() {
+    SlamOptions options;
+    options.filters = SlamOptions::noFilters();
+    return options;
+  }
+  static SlamOptions withRecordingFilter() {
+    SlamOptions options;
+    options.filters = core::ConfigNode::fromText("[{class_name: 'wardslam::test::RecordingFilter'}]");
+    return options;
+  }
+
+  const test::TexturedRoom room_;
+};
+
+TEST_F(SlamSystemTest, TracksARoom) {
+  SlamSystem slam(withoutFilters());
+  for (int image = 0; image < 10; ++image) {
+    const auto result = slam.process(observe(room_, image));
+    ASSERT_EQ(result.state, odometry::State::Ok) << image;
+    const Eigen::Isometry3d T_room_cam = test::TexturedRoom::T_room_cam(image);
+    EXPECT_LT((result.T_map_cam.translation() - T_room_cam.translation()).norm(), 0.006) << image;
+    EXPECT_TRUE(result.T_map_cam.linear().isApprox(T_room_cam.linear(), 0.005)) << image;
+  }
+  slam.finish();
+}
+
+TEST_F(SlamSystemTest, StagesComeInOrder) {
+  SlamSystem slam(withRecordingFilter());
+  RecordingObserver first("first");
+  RecordingObserver second("second");
+  slam.addObserver(first);
+  slam.addObserver(second);
+  slam.process(observe(room_, 0));
+  slam.process(observe(room_, 1));
+  EXPECT_THAT(test::RecordingFilter::log(),
+              ElementsAre("initialize", "begin 0", "apply 0", "first 0 ok", "second 0 ok",  //
+                          "begin 1", "apply 1", "first 1 ok", "second 1 ok"));
+}
+
+TEST_F(SlamSystemTest, OdometryGetsTheStaticKeypointsAlone) {
+  SlamSystem slam(withRecordingFilter());
+  RecordingObserver observer("observer");
+  slam.addObserver(observer);
+  const auto result = slam.process(observe(room_, 0));
+  ASSERT_NE(result.keyframe, nullptr);
+  EXPECT_EQ(observer.staticKeypoints, observer.keypoints / 2);
+  EXPECT_EQ(result.keyframe->features.size(), observer.staticKeypoints);
+  EXPECT_EQ(observer.events.at("test.applied"), 1U);
+  slam.process(observe(room_, 1));
+  EXPECT_GT(observer.lastMatches, 50);
+}
+
+TEST_F(SlamSystemTest, AnUnusableObservationIsLeftOutAndItGoesOn) {
+  SlamSystem slam(withRecordingFilter());
+  RecordingObserver observer("observer");
+  slam.addObserver(observer);
+  slam.process(observe(room_, 0));
+
+  const auto withoutDepth = observe(room_, 1);
+  withoutDepth->hasRangeImage = false;
+  EXPECT_THROW(slam.process(withoutDepth), core::FrameError);
+  const auto ofAnotherSize = observe(room_, 2);
+  ofAnotherSize->rangeImage_setSize(120, 160);
+  EXPECT_THROW(slam.process(ofAnotherSize), core::FrameError);
+
+  const auto result = slam.process(observe(room_, 3));
+  EXPECT_EQ(result.state, odometry::State::Ok);
+  EXPECT_LT((result.T_map_cam.translation() - test::TexturedRoom::T_room_cam(3).translation()).norm(), 0.005);
+  EXPECT_THAT(test::RecordingFilter::log(), ElementsAre("initialize", "begin 0", "apply 0", "observer 0 ok",  //
+                                                        "begin 1", "apply 1", "observer 1 ok"));
+}
+
+TEST_F(SlamSystemTest, TimesItsStages) {
+  SlamSystem slam(withoutFilters());
+  for (int image = 0; image < 3; ++image) slam.process(observe(room_, image));
+  const auto statistics = slam.profiler().statistics();
+  double parts_ms = 0;
+  for (const char* stage : {"sources.build_frame", "features.extract", "filters.apply", "odometry.track"}) {
+    ASSERT_EQ(statistics.count(stage), 1U) << stage;
+    EXPECT_EQ(statistics.at(stage).calls, 3U) << stage;
+    parts_ms += statistics.at(stage).total_ms;
+  }
+  EXPECT_LE(parts_ms, statistics.at("pipeline.process").total_ms);
+}
+
+TEST_F(SlamSystemTest, RecordedMasksBringTheirLabelsAndAreRequiredToMatch) {
+  const test::TemporaryFolder folder;
+  folder.write("classes.txt", "100 trolley\n");
+  std::filesystem::create_directory(folder.path() / "masks");
+  folder.write("masks/5.000000.png", "of another recording");
+  SlamOptions options;
+  options.segmentation.type = segmentation::SegmentationOptions::Type::RecordedMasks;
+  options.segmentation.recorded_masks.folder = (folder.path() / "masks").string();
+  SlamSystem slam(options);
+  EXPECT_EQ(slam.labelSpace().name(100), "trolley");
+  slam.process(observe(room_, 0));
+  EXPECT_THROW(slam.requireSoundSetup(), core::InputError);
+}
+
+TEST_F(SlamSystemTest, TheConfigurationMakesTheSameSystem) {
+  const test::TemporaryFolder folder;
+  auto options = withRecordingFilter();
+  options.features.key_points = 700;
+  const SlamSystem slam(options);
+  EXPECT_THAT(slam.configuration(), HasSubstr("key_points: 700 "));
+  EXPECT_THAT(slam.configuration(), HasSubstr("- class_name: wardslam::test::RecordingFilter"));
+  const SlamSystem again(readSlamOptions(folder.write("my.yaml", slam.configuration())));
+  EXPECT_EQ(again.configuration(), slam.configuration());
+}
+
+TEST_F(SlamSystemTest, RefusesFilesThatAreMissing) {
+  auto options = withoutFilters();
+  options.knowledge.file = "no_such_knowledge.yaml";
+  EXPECT_THROW(SlamSystem{options}, core::InputError);
+  options = withoutFilters();
+  options.segmentation.type = segmentation::SegmentationOptions::Type::Yolo;
+  options.segmentation.yolo.model = "no_such_network.onnx";
+  EXPECT_THROW(SlamSystem{options}, core::InputError);
+}
+
+TEST_F(SlamSystemTest, TheDefaultFilterWantsMasks) {
+  try {
+    const SlamSystem slam{SlamOptions{}};
+    FAIL() << "there is no segmenter";
+  } catch (const core::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("masks"));
+  }
+}
+
+}  // namespace
+}  // namespace wardslam::pipeline
