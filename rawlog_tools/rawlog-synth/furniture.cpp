@@ -181,9 +181,9 @@ Surfaces makeTrolley(cv::RNG& rng) {
                                     {kTrolleyHandleX_m, 0.23F, kTrolleyHandleZ_m}, 0.018F));
   trolley.add(Material::Linen, boxAt({-0.12F, 0.02F, 0.99F}, {0.34F, 0.36F, 0.18F}));
   trolley.add(Material::Plastic, boxAt({0.22F, -0.06F, 0.98F}, {0.2F, 0.26F, 0.16F}));
-  trolley.add(Material::Blanket, boxAt({0.1F, 0, 0.66F}, {0.5F, 0.4F, 0.17F}));
+  trolley.add(Material::Linen, boxAt({0.1F, 0, 0.66F}, {0.5F, 0.4F, 0.17F}));
   trolley.add(Material::Wood, boxAt({-0.1F, 0, 0.35F}, {0.44F, 0.36F, 0.18F}));
-  trolley.add(Material::ChairFabric, boxAt({0.25F, 0.1F, 0.36F}, {0.16F, 0.2F, 0.2F}));
+  trolley.add(Material::Metal, boxAt({0.25F, 0.1F, 0.36F}, {0.16F, 0.2F, 0.2F}));
   return trolley.take();
 }
 

@@ -90,16 +90,15 @@ gl::CSetOfTexturedTriangles::Ptr shadowSet() {
   return set;
 }
 
-Mesh shadowUnder(const Surfaces& surfaces) {
+/// `above_m`: each shadow at its own height, so that they do not fight where they overlap.
+Mesh shadowUnder(const Surfaces& surfaces, float above_m) {
   constexpr float kSpread_m = 0.22F;
-  constexpr float kAboveFloor_m = 0.01F;
   Eigen::AlignedBox3f box;
   for (const Surface& surface : surfaces) {
     for (const Vertex& vertex : surface.mesh.vertices) box.extend(vertex.p_m);
   }
   const Eigen::Vector3f size = box.sizes() + Eigen::Vector3f::Constant(2 * kSpread_m);
-  return panel({box.min().x() - kSpread_m, box.min().y() - kSpread_m, kAboveFloor_m}, {size.x(), 0, 0},
-               {0, size.y(), 0});
+  return panel({box.min().x() - kSpread_m, box.min().y() - kSpread_m, above_m}, {size.x(), 0, 0}, {0, size.y(), 0});
 }
 
 void prepare(gl::COpenGLScene& scene, float ambient, float diffuse) {
@@ -213,7 +212,7 @@ void Renderer::Impl::placeActors(double t_s) {
   shadows->clearTriangles();
   for (std::size_t i = 0; i < actors.size(); ++i) {
     const Surfaces surfaces = scene.actors[i]->surfacesAt(t_s);
-    insertTextured(*shadows, shadowUnder(surfaces));
+    insertTextured(*shadows, shadowUnder(surfaces, 0.006F + 0.003F * static_cast<float>(i)));
     actors[i].flat->clearTriangles();
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       actors[i].surfaces[k]->clearTriangles();

@@ -108,10 +108,10 @@ cv::Mat paintFloor(const RoomShape& room, cv::RNG& rng) {
                                {182, 192, 196});
   paint::shade(image, paint::noise(image.size(), {90, 90}, 3, rng), 9);
   paint::shade(image, paint::noise(image.size(), {11, 11}, 2, rng), 11);
-  for (int i = 0; i < 9000; ++i) {  // chips of the vinyl
+  for (int i = 0; i < 11000; ++i) {  // chips of the vinyl
     const cv::Point centre(rng.uniform(0, image.cols), rng.uniform(0, image.rows));
     cv::ellipse(image, centre, {rng.uniform(2, 7), rng.uniform(2, 5)}, rng.uniform(0.0, 180.0), 0, 360,
-                cv::Scalar::all(rng.uniform(125, 235)) + paint::randomColour(rng, -14, 14), cv::FILLED, cv::LINE_AA);
+                cv::Scalar::all(rng.uniform(95, 245)) + paint::randomColour(rng, -14, 14), cv::FILLED, cv::LINE_AA);
   }
   paintTileJoints(image, pixels(0.6F, kFloorPixels_per_m), rng);
   paint::scuff(image, 260, 0.18 * kFloorPixels_per_m, rng);

@@ -112,7 +112,8 @@ void WardBuilder::addBedPlace(int number, float x, bool north) {
   room_.footprints_m.emplace_back(middle.x() - 0.5F, middle.y() - 1.0F, 1.0F, 2.0F);
   stand("bedside_cabinet", kCabinet, makeBedsideCabinet(rng_), nudged(head * at(0.25F, 0.85F, 0)), 0.46F, 0.48F);
   if (number % 2 == 1) stand("iv_stand", kIvStand, makeIvStand(rng_), nudged(head * at(0.45F, -0.75F, 0)), 0.3F, 0.3F);
-  if (number != 2) stand("chair", kChair, makeChair(rng_), nudged(head * at(1.45F, -0.95F, 0, 1.3F)), 0.44F, 0.44F);
+  if (number != 2 && number != 5)
+    stand("chair", kChair, makeChair(rng_), nudged(head * at(1.45F, -0.95F, 0, 1.3F)), 0.44F, 0.44F);
   add("wall_outlet_panel", kOutletPanel, makeOutletPanel(rng_), wall * at(0, 0, 1.45F));
   add("patient_monitor", kMonitor, makePatientMonitor(rng_), wall * at(0, 0.42F, 1.85F));
   add("sign", kSign, makePicture(3 + number, 0.3F, rng_), wall * at(0, -0.15F, 1.9F));

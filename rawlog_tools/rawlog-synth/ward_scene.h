@@ -16,6 +16,6 @@ struct WardOptions {
 [[nodiscard]] Scene buildWard(const WardOptions& options);
 
 /// When the porter lets go of the trolley.
-constexpr double kTrolleyLeft_s = 7.6;
+constexpr double kTrolleyLeft_s = 5.8;
 
 }  // namespace wardslam::synth

@@ -1,86 +1,201 @@
 #include "wardslam/viewer/annotated_picture.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace wardslam::viewer {
 namespace {
 
-const cv::Scalar kStaticColor(80, 220, 80);
-const cv::Scalar kDynamicColor(60, 60, 255);
-const cv::Scalar kPaper(30, 30, 30);
-const cv::Scalar kInk(240, 240, 240);
-constexpr double kMaskOpacity = 0.4;
-constexpr double kTextScale = 0.45;
+const cv::Vec3b kStaticColor(90, 220, 90);
+const cv::Vec3b kDynamicColor(60, 60, 245);
+const cv::Scalar kPaper(32, 30, 28);
+const cv::Scalar kInk(245, 245, 245);
+constexpr double kDynamicOpacity = 0.5;
+constexpr double kStaticOpacity = 0.28;
+constexpr double kPaperOpacity = 0.72;
+constexpr double kTextScale = 0.4;
+constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+constexpr int kPadding_px = 3;
+/// Smaller things keep their mask, but a tag would cover more than the thing.
+constexpr double kSmallestTagged = 0.004;  // of the image
 
-/// Colours of neighbouring ids lie far apart on the colour circle; people (id 1) are red.
-cv::Scalar colorOf(core::ClassId id) {
-  constexpr int kGoldenAngle = 111;  // in OpenCV's half degrees, of 180
-  const cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(((id - 1) * kGoldenAngle) % 180, 200, 255));
+/// Neighbouring ids lie far apart on the colour circle. Red and its neighbours are kept for what is dynamic.
+cv::Vec3b colorOf(core::ClassId id) {
+  constexpr int kFirstHue = 20;  // OpenCV's hues are half degrees: 0 … 179
+  constexpr int kHues = 122;
+  constexpr int kGoldenSection = 75;  // of kHues
+  const cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(kFirstHue + id * kGoldenSection % kHues, 170, 235));
   cv::Mat bgr;
   cv::cvtColor(hsv, bgr, cv::COLOR_HSV2BGR);
-  return cv::Scalar(bgr.at<cv::Vec3b>(0, 0));
+  return bgr.at<cv::Vec3b>(0, 0);
 }
 
-void writeOnPaper(cv::Mat& picture, const std::string& text, cv::Point corner) {
+/// An empty mask means all of it.
+void blend(cv::Mat picture, const cv::Scalar& color, double opacity, const cv::Mat& mask = {}) {
+  if (picture.empty()) return;
+  const cv::Mat paint(picture.size(), picture.type(), color);
+  cv::Mat blended;
+  cv::addWeighted(picture, 1.0 - opacity, paint, opacity, 0.0, blended);
+  mask.empty() ? blended.copyTo(picture) : blended.copyTo(picture, mask);
+}
+
+/// Takes the colours out, so that what is painted over it shows true.
+void fade(cv::Mat picture, const cv::Mat& mask) {
+  cv::Mat gray;
+  cv::cvtColor(picture, gray, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(gray, gray, cv::COLOR_GRAY2BGR);
+  gray.copyTo(picture, mask);
+}
+
+struct Count {
+  std::size_t ofStatic = 0;
+  std::size_t ofDynamic = 0;
+};
+
+Count countKeypoints(const core::Features& features) {
+  Count count;
+  for (const auto& keypoint : features.keypoints) {
+    ++(keypoint.motion == core::Motion::Dynamic ? count.ofDynamic : count.ofStatic);
+  }
+  return count;
+}
+
+/// Key points on each instance, by instance id.
+std::map<int, Count> countByInstance(const core::Frame& frame) {
+  std::map<int, Count> counts;
+  const cv::Rect image({0, 0}, frame.segmentation.instanceIds.size());
+  for (const auto& keypoint : frame.features.keypoints) {
+    const cv::Point pixel(cvRound(keypoint.raw_px.x), cvRound(keypoint.raw_px.y));
+    if (!image.contains(pixel)) continue;
+    Count& count = counts[frame.segmentation.instanceIds.at<std::uint16_t>(pixel)];
+    ++(keypoint.motion == core::Motion::Dynamic ? count.ofDynamic : count.ofStatic);
+  }
+  return counts;
+}
+
+/// One line of text on a strip of paper; `corner` is its top left and is moved where the picture ends.
+void writeTag(cv::Mat& picture, const std::string& text, cv::Point corner, const cv::Scalar& paper) {
   int baseline = 0;
-  const cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, kTextScale, 1, &baseline);
-  corner.x = std::clamp(corner.x, 0, std::max(0, picture.cols - size.width - 4));
-  corner.y = std::clamp(corner.y, 0, std::max(0, picture.rows - size.height - 6));
-  cv::rectangle(picture, {corner.x, corner.y, size.width + 4, size.height + 6}, kPaper, cv::FILLED);
-  cv::putText(picture, text, {corner.x + 2, corner.y + size.height + 2}, cv::FONT_HERSHEY_SIMPLEX, kTextScale, kInk, 1,
+  const cv::Size ink = cv::getTextSize(text, kFont, kTextScale, 1, &baseline);
+  const cv::Size strip(ink.width + 2 * kPadding_px, ink.height + 2 * kPadding_px + 1);
+  corner.x = std::clamp(corner.x, 0, std::max(0, picture.cols - strip.width));
+  corner.y = std::clamp(corner.y, 0, std::max(0, picture.rows - strip.height));
+  const cv::Rect area = cv::Rect(corner, strip) & cv::Rect({0, 0}, picture.size());
+  blend(picture(area), paper, kPaperOpacity);
+  cv::putText(picture, text, corner + cv::Point(kPadding_px, kPadding_px + ink.height), kFont, kTextScale, kInk, 1,
               cv::LINE_AA);
 }
 
-void paintMasks(cv::Mat& picture, const core::Segmentation& segmentation) {
-  cv::Mat colors(1, 256, CV_8UC3, cv::Scalar(0, 0, 0));
-  for (int id = 1; id < 256; ++id) {
-    const cv::Scalar color = colorOf(static_cast<core::ClassId>(id));
-    colors.at<cv::Vec3b>(id) = cv::Vec3b(cv::saturate_cast<uchar>(color[0]), cv::saturate_cast<uchar>(color[1]),
-                                         cv::saturate_cast<uchar>(color[2]));
-  }
-  cv::Mat classes;
-  cv::Mat painted;
-  cv::cvtColor(segmentation.classIds, classes, cv::COLOR_GRAY2BGR);
-  cv::LUT(classes, colors, painted);
-  cv::Mat blended;
-  cv::addWeighted(picture, 1.0 - kMaskOpacity, painted, kMaskOpacity, 0.0, blended);
-  blended.copyTo(picture, segmentation.classIds != 0);
+std::string tagOf(const core::Instance& instance, const core::LabelSpace& labels) {
+  const std::string& name = labels.name(instance.classId);
+  const std::string text = name.empty() ? "class " + std::to_string(instance.classId) : name;
+  const int percent = cvRound(100.0F * instance.confidence);
+  return percent == 100 ? text : text + " " + std::to_string(percent) + "%";
 }
 
-void drawBoxes(cv::Mat& picture, const core::Segmentation& segmentation, const core::LabelSpace& labels) {
-  for (const core::Instance& instance : segmentation.instances) {
-    const cv::Scalar color = colorOf(instance.classId);
-    const std::string& name = labels.name(instance.classId);
-    const int percent = cvRound(instance.confidence * 100.0F);
-    cv::rectangle(picture, instance.box_px, color, 1);
-    writeOnPaper(
-        picture,
-        (name.empty() ? "class " + std::to_string(instance.classId) : name) + " " + std::to_string(percent) + "%",
-        instance.box_px.tl());
+class Painter {
+ public:
+  Painter(const core::Frame& frame, const core::LabelSpace& labels)
+      : frame_(frame), labels_(labels), picture_(frame.color_bgr.clone()) {}
+
+  [[nodiscard]] cv::Mat paint();
+
+ private:
+  void paintMasks();
+  void paintMask(const core::Instance& instance);
+  void tagInstances();
+  void paintKeypoints();
+  void paintLegend();
+  [[nodiscard]] bool isDynamic(const core::Instance& instance) const;
+  [[nodiscard]] cv::Scalar colorFor(const core::Instance& instance) const {
+    return isDynamic(instance) ? kDynamicColor : colorOf(instance.classId);
+  }
+
+  const core::Frame& frame_;
+  const core::LabelSpace& labels_;
+  cv::Mat picture_;
+  std::map<int, Count> counts_;
+};
+
+cv::Mat Painter::paint() {
+  if (!frame_.segmentation.instanceIds.empty()) {
+    counts_ = countByInstance(frame_);
+    paintMasks();
+  }
+  paintKeypoints();
+  tagInstances();
+  paintLegend();
+  return picture_;
+}
+
+/// The filters decide key point by key point; a thing is shown as most of its points are.
+bool Painter::isDynamic(const core::Instance& instance) const {
+  const auto count = counts_.find(instance.id);
+  return count != counts_.end() && count->second.ofDynamic > count->second.ofStatic;
+}
+
+void Painter::paintMasks() {
+  for (const auto& instance : frame_.segmentation.instances) paintMask(instance);
+}
+
+void Painter::paintMask(const core::Instance& instance) {
+  const cv::Rect area = instance.box_px & cv::Rect({0, 0}, picture_.size());
+  if (area.empty()) return;
+  const cv::Mat mask = frame_.segmentation.instanceIds(area) == static_cast<int>(instance.id);
+  cv::Mat part = picture_(area);
+  const cv::Scalar color = colorFor(instance);
+  if (isDynamic(instance)) fade(part, mask);
+  blend(part, color, isDynamic(instance) ? kDynamicOpacity : kStaticOpacity, mask);
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
+  cv::drawContours(part, contours, -1, color, 1, cv::LINE_AA);
+}
+
+void Painter::tagInstances() {
+  for (const auto& instance : frame_.segmentation.instances) {
+    if (instance.box_px.area() < kSmallestTagged * static_cast<double>(picture_.total())) continue;
+    const cv::Scalar color = colorFor(instance);
+    cv::rectangle(picture_, instance.box_px, color, 1);
+    writeTag(picture_, tagOf(instance, labels_), instance.box_px.tl(), color * 0.55);
+  }
+}
+
+void Painter::paintKeypoints() {
+  for (const auto& keypoint : frame_.features.keypoints) {
+    const cv::Scalar color = keypoint.motion == core::Motion::Dynamic ? kDynamicColor : kStaticColor;
+    cv::circle(picture_, keypoint.raw_px, 3, kPaper, cv::FILLED, cv::LINE_AA);
+    cv::circle(picture_, keypoint.raw_px, 2, color, cv::FILLED, cv::LINE_AA);
+  }
+}
+
+void Painter::paintLegend() {
+  const Count count = countKeypoints(frame_.features);
+  const std::array<std::pair<std::string, cv::Vec3b>, 2> lines = {
+      {{std::to_string(count.ofStatic) + " static key points", kStaticColor},
+       {std::to_string(count.ofDynamic) + " dynamic, left out", kDynamicColor}}};
+  constexpr int kLine_px = 17;
+  constexpr int kWidth_px = 172;
+  const int height_px = kLine_px * static_cast<int>(lines.size()) + 2 * kPadding_px;
+  const cv::Rect area =
+      cv::Rect(6, picture_.rows - height_px - 6, kWidth_px, height_px) & cv::Rect({0, 0}, picture_.size());
+  blend(picture_(area), kPaper, kPaperOpacity);
+  cv::Point at(area.x + 11, area.y + kPadding_px + kLine_px / 2);
+  for (const auto& [text, color] : lines) {
+    cv::circle(picture_, at, 4, color, cv::FILLED, cv::LINE_AA);
+    cv::putText(picture_, text, at + cv::Point(10, 4), kFont, kTextScale, kInk, 1, cv::LINE_AA);
+    at.y += kLine_px;
   }
 }
 
 }  // namespace
 
 cv::Mat drawAnnotated(const core::Frame& frame, const core::LabelSpace& labels) {
-  cv::Mat picture = frame.color_bgr.clone();
-  if (!frame.segmentation.empty()) {
-    paintMasks(picture, frame.segmentation);
-    drawBoxes(picture, frame.segmentation, labels);
-  }
-  std::size_t dynamic = 0;
-  for (const core::Keypoint& keypoint : frame.features.keypoints) {
-    const bool isDynamic = keypoint.motion == core::Motion::Dynamic;
-    dynamic += isDynamic ? 1 : 0;
-    cv::circle(picture, keypoint.raw_px, 2, isDynamic ? kDynamicColor : kStaticColor, 1, cv::LINE_AA);
-  }
-  writeOnPaper(
-      picture,
-      std::to_string(frame.features.size() - dynamic) + " static, " + std::to_string(dynamic) + " dynamic key points",
-      {4, picture.rows});
-  return picture;
+  return Painter(frame, labels).paint();
 }
 
 }  // namespace wardslam::viewer
