@@ -9,3 +9,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/wardslam-config-version.c
 install(FILES ${PROJECT_BINARY_DIR}/wardslam-config.cmake ${PROJECT_BINARY_DIR}/wardslam-config-version.cmake
   DESTINATION ${package_dir})
 install(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/wardslam)
+install(FILES share/models.yaml DESTINATION ${CMAKE_INSTALL_DATADIR}/wardslam)

@@ -2,6 +2,7 @@
 
 #include "config_command.h"
 #include "eval_command.h"
+#include "models_command.h"
 #include "run_command.h"
 #include "support/command_line.h"
 #include "support/program.h"
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
     addRunCommand(app);
     addEvalCommand(app);
     addConfigCommand(app);
+    addModelsCommand(app);
     return parseCommandLine(app, argc, argv).value_or(kSuccess);
   });
 }
