@@ -71,5 +71,15 @@ TEST(Annotation, SurvivesBeingStoredInARawlog) {
   expectSomeLabels(back);
 }
 
+TEST(Annotation, CanBeReadBack) {
+  CObservation3DRangeScan observation;
+  EXPECT_TRUE(annotationOf(observation).empty());
+  annotate(observation, someLabelBits());
+  EXPECT_EQ(cv::countNonZero(annotationOf(observation) != someLabelBits()), 0);
+
+  observation.pixelLabels = std::make_shared<mrpt::obs::TPixelLabelInfo<4>>();
+  EXPECT_TRUE(annotationOf(observation).empty()) << "labels of somebody else";
+}
+
 }  // namespace
 }  // namespace wardslam::core

@@ -5,9 +5,13 @@
 #include <opencv2/core.hpp>
 
 namespace wardslam::core {
+namespace {
+
+using Labels = mrpt::obs::TPixelLabelInfo<1>;
+
+}  // namespace
 
 void annotate(mrpt::obs::CObservation3DRangeScan& observation, const cv::Mat& labelBits) {
-  using Labels = mrpt::obs::TPixelLabelInfo<1>;
   auto labels = std::make_shared<Labels>();
   labels->setSize(labelBits.rows, labelBits.cols);
   labels->pixelLabelNames = {{static_cast<std::uint32_t>(PixelLabel::Dynamic), "dynamic"},
@@ -25,6 +29,18 @@ void annotate(mrpt::obs::CObservation3DRangeScan& observation, const cv::Mat& la
   cv::compare(isStatic, cv::Scalar(0), isStatic, cv::CMP_EQ);
   observation.confidenceImage = mrpt::img::CImage(isStatic, mrpt::img::DEEP_COPY);
   observation.hasConfidenceImage = true;
+}
+
+cv::Mat annotationOf(const mrpt::obs::CObservation3DRangeScan& observation) {
+  const auto labels = std::dynamic_pointer_cast<const Labels>(observation.pixelLabels);
+  if (!labels) return {};
+  cv::Mat labelBits(static_cast<int>(labels->pixelLabels.rows()), static_cast<int>(labels->pixelLabels.cols()),
+                    CV_8UC1);
+  for (int row = 0; row < labelBits.rows; ++row) {
+    auto* bits = labelBits.ptr<std::uint8_t>(row);
+    for (int col = 0; col < labelBits.cols; ++col) bits[col] = labels->pixelLabels(row, col);
+  }
+  return labelBits;
 }
 
 }  // namespace wardslam::core

@@ -19,6 +19,9 @@ enum class PixelLabel : std::uint8_t { Dynamic = 0, Movable = 1, Person = 2, Thi
 /// `labelBits`: CV_8UC1 of the size of the range image, bit i = PixelLabel i. Replaces earlier annotations.
 void annotate(mrpt::obs::CObservation3DRangeScan& observation, const cv::Mat& labelBits);
 
+/// What annotate() wrote; empty where the observation has no such labels.
+[[nodiscard]] cv::Mat annotationOf(const mrpt::obs::CObservation3DRangeScan& observation);
+
 [[nodiscard]] constexpr std::uint8_t bitOf(PixelLabel label) {
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(label));
 }

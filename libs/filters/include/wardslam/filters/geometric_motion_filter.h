@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "wardslam/filters/moving_regions.h"
+#include "wardslam/filters/observation_filter.h"
+#include "wardslam/filters/scene_motion.h"
+
+namespace wardslam::filters {
+
+struct GeometricMotionOptions {
+  SceneMotionOptions motion;
+  MovingRegionsOptions regions;
+  double min_kept = 0.1;
+  bool annotate = true;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    SceneMotionOptions::describe(self.motion, visit);
+    MovingRegionsOptions::describe(self.regions, visit);
+    visit("min_kept", self.min_kept, {0.0, 1.0}, "", "where fewer key points would stay static, none is marked");
+    visit("annotate", self.annotate, "write what moves into pixelLabels and confidenceImage of the observation");
+  }
+};
+
+/// Rejects what moves by geometry alone: people the network missed, things no network knows.
+///
+///     filters:
+///       - class_name: wardslam::filters::GeometricMotionFilter
+///         params:
+///           points: 500
+///           window: 0.5
+///           reach: 0.5
+///
+/// Needs neither masks nor knowledge. Behind a filter that does, it only adds to what was marked, and takes what was
+/// marked for moving when it looks for the motion of the camera. Events: "filters.motion_unknown" (the motion of the
+/// camera could not be told; nothing new was found) and "filters.motion_everywhere" (more than 1 - min_kept moves; not
+/// believed).
+class GeometricMotionFilter : public ObservationFilter {
+  DEFINE_MRPT_OBJECT(GeometricMotionFilter, wardslam::filters)
+
+ public:
+  void initialize(const core::ConfigNode& parameters, const FilterContext& context) override;
+  void apply(core::Frame& frame) override;
+  [[nodiscard]] std::string parameters(int indent) const override;
+
+ private:
+  GeometricMotionOptions options_;
+  std::optional<SceneMotion> motion_;
+};
+
+}  // namespace wardslam::filters
