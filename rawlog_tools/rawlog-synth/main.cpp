@@ -34,7 +34,9 @@ void declare(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--seed", options.ward.seed, "another seed, another ward: textures, furniture, noise")
       ->capture_default_str();
-  app.add_flag("!--no-people", options.ward.people, "an empty ward; the trolley stands where it would be left");
+  app.add_flag_callback(
+      "--no-people", [&options] { options.ward.people = false; },
+      "an empty ward; the trolley stands where it would be left");
   app.add_option("--width", options.width_px, "image width, px")->check(CLI::Range(64, 2048))->capture_default_str();
   app.add_option("--height", options.height_px, "image height, px")->check(CLI::Range(48, 2048))->capture_default_str();
   app.add_option("--depth-noise", options.sensor.depthNoise, "times a Kinect's depth noise; 0 = perfect depth")
