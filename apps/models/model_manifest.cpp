@@ -78,15 +78,6 @@ Model readModel(const std::string& name, const ConfigNode& node) {
 
 }  // namespace
 
-std::optional<std::uint64_t> Model::size_bytes() const {
-  std::uint64_t sum = 0;
-  for (const auto& file : files) {
-    if (!file.size_bytes) return std::nullopt;
-    sum += *file.size_bytes;
-  }
-  return sum;
-}
-
 ModelManifest ModelManifest::fromFile(const std::filesystem::path& file) {
   const ConfigNode root = ConfigNode::fromFile(file);
   root.requireKeys({"models"});

@@ -28,9 +28,6 @@ struct Model {
   std::string homepage;
   std::string use;  ///< What to do with the files.
   std::vector<ModelFile> files;
-
-  /// Of all files together; empty where one is not known.
-  [[nodiscard]] std::optional<std::uint64_t> size_bytes() const;
 };
 
 /// The networks somebody may want: share/models.yaml, or a list of one's own in the same form.

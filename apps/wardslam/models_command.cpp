@@ -37,10 +37,14 @@ fs::path folderOf(const ModelsArguments& arguments) {
 void list(const ModelsArguments& arguments) {
   const auto manifest = openManifest(arguments);
   for (const auto& model : manifest.models()) {
-    const auto size_bytes = model.size_bytes();
-    std::cout << model.name << "\n  " << model.title << "\n  licence " << model.licence << ", size "
-              << (size_bytes ? sizeText(*size_bytes) : "not known") << ", " << model.homepage << "\n  " << model.use
-              << "\n\n";
+    std::cout << model.name << ": " << model.title << "\n  licence  " << model.licence << "\n  home     "
+              << model.homepage << "\n  use      " << model.use << "\n";
+    for (const auto& file : model.files) {
+      std::cout << "  file     " << file.name << ", "
+                << (file.size_bytes ? sizeText(*file.size_bytes) : "size not known") << ", "
+                << (file.checksum ? file.checksum->algorithm + " known" : "no checksum known") << "\n";
+    }
+    std::cout << "\n";
   }
   std::cout << "Nothing of this is part of WardSLAM. `wardslam models fetch NAME` downloads one.\n";
 }

@@ -49,7 +49,9 @@ class ModelsCommand : public ::testing::Test {
 TEST_F(ModelsCommand, ListsWhatThereIs) {
   const auto result = models({"list"});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.out, AllOf(HasSubstr("net\n  A network"), HasSubstr("licence MIT, size not known, there")));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("net: A network\n"), HasSubstr("licence  MIT\n"),
+                                HasSubstr("net.onnx, 3 B, sha256 known\n"),
+                                HasSubstr("net.pbtxt, size not known, no checksum known\n")));
   EXPECT_TRUE(server_.requests().empty()) << "nothing is downloaded unasked";
   const auto shipped = test::runProgram("wardslam", {"models", "list"});
   EXPECT_EQ(shipped.exitCode, 0);

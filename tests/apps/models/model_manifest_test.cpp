@@ -45,13 +45,8 @@ TEST(ModelManifest, ReadsWhatIsKnownOfAFile) {
   EXPECT_EQ(model.files[1].name, "d.pb");
   EXPECT_FALSE(model.files[1].size_bytes);
   EXPECT_FALSE(model.files[1].checksum);
-  EXPECT_EQ(model.size_bytes(), std::nullopt);
   EXPECT_EQ(manifest.findFile("d.pb")->url, "http://a.example/?id=7");
   EXPECT_EQ(manifest.findFile("e.pb"), nullptr);
-}
-
-TEST(ModelManifest, AddsUpTheSizes) {
-  EXPECT_EQ(read(kHead + ", size: 12}, {url: http://a.example/d, size: 30}]}\n").find("net").size_bytes(), 42U);
 }
 
 TEST(ModelManifest, SuggestsTheNearestName) {
