@@ -1,9 +1,11 @@
 # Every library the project stands on, found once. docs/architecture.md says why each is here.
 find_package(Eigen3 REQUIRED)
-find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d dnn video)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d dnn flann video)
 find_package(mrpt-obs 2.5 REQUIRED)
 find_package(mrpt-system REQUIRED)
 find_package(mrpt-opengl REQUIRED)
+find_package(mrpt-graphs REQUIRED)
+find_package(mrpt-graphslam REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)

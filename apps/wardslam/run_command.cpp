@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -51,6 +52,7 @@ pipeline::SlamOptions effectiveOptions(const RunArguments& arguments) {
     options.segmentation.type = Segmenter::Yolo;
     options.segmentation.yolo.model = std::filesystem::absolute(arguments.model).string();
   }
+  options.deterministic = options.deterministic || arguments.deterministic;
   const bool hasMasks = options.segmentation.type != Segmenter::None;
   if (arguments.filter == "on" && !hasMasks) {
     throw UsageError(
@@ -141,17 +143,16 @@ void run(const RunArguments& arguments) {
   slam.addObserver(pictures);
 
   const InterruptionGuard interruption;
-  const auto writeSummary = [&] {
-    folder.finish({statistics, source->damage(), slam.profiler(), interruption.requested(), arguments.deterministic});
-  };
+  std::exception_ptr failure;
   try {
     processAll(*source, slam, statistics, trouble, arguments, interruption);
   } catch (const core::InputError&) {
-    writeSummary();  // of what went well until then
-    throw;
+    failure = std::current_exception();  // what went well until then is written first
   }
-  writeSummary();
-  if (!interruption.requested()) slam.finish();
+  slam.finish();
+  folder.finish({statistics, source->damage(), slam, interruption.requested(), options.deterministic});
+  if (failure) std::rethrow_exception(failure);
+  if (!interruption.requested()) slam.requireSoundSetup();
   requireSoundInput(*source, statistics, trouble, arguments.input);
 }
 

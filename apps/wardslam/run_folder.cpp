@@ -48,8 +48,10 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["coverage"] = statistics.coverage();
   json["lost_events"] = statistics.lostEvents();
   json["keyframes"] = statistics.keyframes();
+  json["loops_closed"] = summary.slam.map().loops().size();
+  json["submaps_joined"] = summary.slam.map().submapsJoined();
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
-  json["stages"] = stagesJson(summary.profiler);
+  json["stages"] = stagesJson(summary.slam.profiler());
   json["fps"] = elapsed_s > 0 ? rounded(static_cast<double>(statistics.frames()) / elapsed_s, 2) : 0.0;
   json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);
   json["deterministic"] = summary.deterministic;
@@ -62,18 +64,21 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
 }  // namespace
 
 RunFolder::RunFolder(const std::filesystem::path& folder)
-    : folder_(makeFolder(folder)), trajectory_(folder / "trajectory.txt") {}
+    : folder_(makeFolder(folder)), live_(folder / "trajectory_live.txt") {}
 
 void RunFolder::writeConfiguration(const std::string& yaml) const {
   core::writeFileAtomically(folder_ / "config.yaml", yaml);
 }
 
 void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
-  if (odometry.hasPose()) trajectory_.write({frame.stamp_s, odometry.T_map_cam});
+  if (odometry.hasPose()) live_.write({frame.stamp_s, odometry.T_map_cam});
 }
 
 void RunFolder::finish(const RunSummary& summary) {
-  trajectory_.finish();
+  live_.finish();
+  storage::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
+  for (const auto& pose : summary.slam.trajectory()) corrected.write(pose);
+  corrected.finish();
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
 }

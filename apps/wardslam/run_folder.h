@@ -5,9 +5,9 @@
 #include <string>
 
 #include "wardslam/core/event_counts.h"
-#include "wardslam/core/profiler.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/run_statistics.h"
+#include "wardslam/pipeline/slam_system.h"
 #include "wardslam/storage/tum_trajectory.h"
 
 namespace wardslam::apps {
@@ -16,12 +16,13 @@ namespace wardslam::apps {
 struct RunSummary {
   const pipeline::RunStatistics& statistics;
   const core::EventCounts& damage;
-  const core::Profiler& profiler;
+  const pipeline::SlamSystem& slam;  ///< Finished.
   bool interrupted;
   bool deterministic;
 };
 
-/// The results of a run on disk: trajectory.txt (grows with every frame), config.yaml and summary.json.
+/// The results of a run on disk: trajectory_live.txt (poses as they were known at the time; grows with every frame),
+/// trajectory.txt (the same frames, corrected by all that was learnt later), config.yaml and summary.json.
 class RunFolder : public pipeline::FrameObserver {
  public:
   /// Makes the folder. Throws core::InputError when it cannot be written.
@@ -33,7 +34,7 @@ class RunFolder : public pipeline::FrameObserver {
 
  private:
   std::filesystem::path folder_;
-  storage::TumTrajectoryWriter trajectory_;
+  storage::TumTrajectoryWriter live_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

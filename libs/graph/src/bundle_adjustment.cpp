@@ -13,6 +13,19 @@ namespace {
 using odometry::ObservationError;
 using odometry::PoseVector;
 
+constexpr std::size_t kMaxDensePoses = 60;
+
+class StopWhenAsked : public ceres::IterationCallback {
+ public:
+  explicit StopWhenAsked(const std::atomic<bool>* stop) : stop_(stop) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& /*summary*/) override {
+    return stop_ != nullptr && *stop_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const std::atomic<bool>* stop_;
+};
+
 /// One sighting in the window.
 struct Edge {
   KeyframeId keyframe;
@@ -26,13 +39,16 @@ class AdjustmentProblem {
  public:
   AdjustmentProblem(const KeyframeGraph& graph, const AdjustmentWindow& window, const BundleAdjustmentOptions& options)
       : options_(options) {
-    for (const PointId id : window.points) points_.emplace(id, graph.points().at(id).p_map_m);
+    for (const PointId id : window.points) {
+      const PointNode& node = graph.points().at(id);
+      if (node.seenBy.size() > 1) points_.emplace(id, node.point.p_map_m);  // one sighting tells nothing of poses
+    }
     for (const KeyframeId id : window.moved) add(graph.keyframes().at(id), id);
     for (const KeyframeId id : window.fixed) add(graph.keyframes().at(id), id);
     for (const KeyframeId id : window.fixed) fixed_.insert(id);
   }
 
-  void solve() {
+  void solve(int maxIterations, const std::atomic<bool>* stop) {
     ceres::Problem problem;
     auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
     for (Edge& edge : edges_) addResidual(edge, problem);
@@ -46,11 +62,14 @@ class AdjustmentProblem {
     }
     if (problem.NumResidualBlocks() == 0) return;
     ceres::Solver::Options solver;
-    solver.linear_solver_type = ceres::DENSE_SCHUR;
+    const bool isSmall = poses_.size() <= kMaxDensePoses;
+    solver.linear_solver_type = isSmall ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
     solver.linear_solver_ordering = ordering;
-    solver.max_num_iterations = options_.max_iterations;
+    solver.max_num_iterations = maxIterations;
     solver.function_tolerance = 1e-4;
     solver.logging_type = ceres::SILENT;
+    StopWhenAsked stopWhenAsked(stop);
+    solver.callbacks.push_back(&stopWhenAsked);
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
   }
@@ -111,7 +130,8 @@ class AdjustmentProblem {
 void holdFirst(const KeyframeGraph& graph, AdjustmentWindow& window) {
   const KeyframeId first = graph.keyframes().begin()->first;
   if (window.moved.erase(first) != 0) window.fixed.insert(first);
-  if (window.fixed.empty()) window.fixed.insert(window.moved.extract(window.moved.begin()).value());
+  if (window.fixed.empty() && !window.moved.empty())
+    window.fixed.insert(window.moved.extract(window.moved.begin()).value());
 }
 
 }  // namespace
@@ -142,10 +162,20 @@ AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, cons
   return window;
 }
 
-odometry::MapUpdate adjust(KeyframeGraph& graph, const AdjustmentWindow& window,
-                           const BundleAdjustmentOptions& options) {
+AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap) {
+  AdjustmentWindow window;
+  for (const auto& [id, node] : graph.keyframes()) {
+    if (node.submap != submap) continue;
+    (window.fixed.empty() ? window.fixed : window.moved).insert(id);
+    for (const auto& [point, keypoint] : node.keypointOf) window.points.insert(point);
+  }
+  return window;
+}
+
+odometry::MapUpdate adjust(KeyframeGraph& graph, const AdjustmentWindow& window, const BundleAdjustmentOptions& options,
+                           int maxIterations, const std::atomic<bool>* stop) {
   AdjustmentProblem problem(graph, window, options);
-  problem.solve();
+  problem.solve(maxIterations, stop);
   return problem.apply(graph);
 }
 

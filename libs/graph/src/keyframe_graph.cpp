@@ -5,11 +5,25 @@
 namespace wardslam::graph {
 
 void KeyframeGraph::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
-  KeyframeNode node{keyframe, keyframe->T_map_cam, {}};
-  for (const odometry::Sighting& sighting : keyframe->sightings) {
-    node.keypointOf.emplace(sighting.point, sighting.keypoint);
-    PointNode& point = points_.try_emplace(sighting.point, PointNode{sighting.p_map_m, {}}).first->second;
-    point.seenBy.insert(keyframe->id);
+  KeyframeNode node{keyframe, keyframe->T_map_cam, {}, keyframe->submap};
+  if (const auto joined = joinedInto_.find(node.submap); joined != joinedInto_.end()) node.submap = joined->second;
+  const auto previous = keyframes_.find(keyframe->id - 1);
+  if (previous != keyframes_.end() && previous->second.submap == node.submap) {
+    node.T_map_cam = previous->second.T_map_cam * keyframe->T_previous_cam;
+  }
+  for (const auto& [id, keypointIndex] : keyframe->sightings) {
+    const auto& keypoint = keyframe->features.keypoints[keypointIndex];
+    const auto descriptor = odometry::descriptorOf(keyframe->features, keypointIndex);
+    const auto known = points_.find(id);
+    if (known != points_.end()) {
+      odometry::describeFrom(known->second.point, keypoint, descriptor, node.T_map_cam);
+      known->second.seenBy.insert(keyframe->id);
+    } else if (keypoint.hasDepth()) {
+      points_[id] = {odometry::makeMapPoint(keypoint, descriptor, keyframe->camera, node.T_map_cam), {keyframe->id}};
+    } else {
+      continue;  // was removed meanwhile, and this image cannot tell where it is
+    }
+    node.keypointOf.emplace(id, keypointIndex);
   }
   keyframes_.emplace(keyframe->id, std::move(node));
 }
@@ -27,6 +41,12 @@ std::vector<std::pair<KeyframeId, std::size_t>> KeyframeGraph::covisible(Keyfram
   return neighbours;
 }
 
+void KeyframeGraph::setPosition(PointId id, const Eigen::Vector3d& p_map_m) {
+  odometry::MapPoint& point = points_.at(id).point;
+  point.viewedFrom_map_m += p_map_m - point.p_map_m;
+  point.p_map_m = p_map_m;
+}
+
 void KeyframeGraph::removeSighting(KeyframeId keyframe, PointId point) {
   keyframes_.at(keyframe).keypointOf.erase(point);
   const auto node = points_.find(point);
@@ -34,9 +54,24 @@ void KeyframeGraph::removeSighting(KeyframeId keyframe, PointId point) {
   if (node->second.seenBy.empty()) points_.erase(node);
 }
 
-void KeyframeGraph::removePoint(PointId point) {
-  for (const KeyframeId id : points_.at(point).seenBy) keyframes_.at(id).keypointOf.erase(point);
-  points_.erase(point);
+void KeyframeGraph::fuse(PointId from, PointId into) {
+  for (const KeyframeId id : points_.at(from).seenBy) {
+    auto& keypointOf = keyframes_.at(id).keypointOf;
+    const std::size_t keypoint = keypointOf.at(from);
+    keypointOf.erase(from);
+    if (keypointOf.emplace(into, keypoint).second) points_.at(into).seenBy.insert(id);
+  }
+  points_.erase(from);
+}
+
+void KeyframeGraph::joinSubmaps(std::uint32_t from, std::uint32_t into) {
+  for (auto& [id, node] : keyframes_) {
+    if (node.submap == from) node.submap = into;
+  }
+  for (auto& [submap, joined] : joinedInto_) {
+    if (joined == from) joined = into;
+  }
+  joinedInto_[from] = into;
 }
 
 }  // namespace wardslam::graph

@@ -148,24 +148,26 @@ bool Odometry::Tracker::needsKeyframe(const View& view, const Tracking& tracking
 std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const View& view, const Tracking& tracking,
                                                                   const std::vector<std::size_t>& newPoints) {
   const Eigen::Isometry3d T_map_cam = T_cam_map_.inverse();
+  const bool isFirst = map_.points().empty();
   auto keyframe = std::make_shared<Keyframe>();
   for (const Match& match : tracking.inliers) {
     const auto& keypoint = view.features.keypoints[match.keypoint];
     map_.describe(match.point, keypoint, descriptorOf(view.features, match.keypoint), T_map_cam);
-    keyframe->sightings.push_back({match.point, match.keypoint, map_.find(match.point)->p_map_m});
+    keyframe->sightings.push_back({match.point, match.keypoint});
   }
   for (const std::size_t i : newPoints) {
     MapPoint point = makeMapPoint(view.features.keypoints[i], descriptorOf(view.features, i), view.camera, T_map_cam);
     point.lastSeenFrame = view.frame;
     const PointId id = map_.add(point);
     lastSeen_.push_back(id);
-    keyframe->sightings.push_back({id, i, point.p_map_m});
+    keyframe->sightings.push_back({id, i});
   }
   keyframe->id = lastKeyframe_.id + 1;
   keyframe->submap = submap_;
   keyframe->stamp_s = view.stamp_s;
   keyframe->camera = view.camera;
   keyframe->T_map_cam = T_map_cam;
+  if (!isFirst) keyframe->T_previous_cam = lastKeyframe_.T_map_cam.inverse() * T_map_cam;
   keyframe->features = view.features;
   map_.addKeyframe(keyframe->id, lastSeen_);
   map_.cull();

@@ -25,7 +25,10 @@ SlamSystem::SlamSystem(const SlamOptions& options)
       labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
       features_(options.features),
       filters_(options.filters, {segmenter_, readKnowledge(options)}),
-      odometry_(options.odometry) {}
+      odometry_(options.odometry),
+      map_(std::make_unique<graph::Mapper>(options.graph, options.odometry), !options.deterministic) {
+  addObserver(trajectory_);
+}
 
 odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
   const auto timing = profiler_.measure("pipeline.process");
@@ -37,12 +40,22 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
     return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));
   });
   filters_.end(frame, odometry.pose());
+  if (odometry.keyframe) profiler_.time("graph.insert", [&] { map_.insert(odometry.keyframe); });
+  for (const auto& update : map_.takeUpdates()) odometry_.apply(update);
   for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
   return odometry;
 }
 
-void SlamSystem::finish() {
+void SlamSystem::finish() { finishedMap_ = &map_.finish(); }
+
+void SlamSystem::requireSoundSetup() {
   if (segmenter_) segmenter_->finish();
+}
+
+core::Trajectory SlamSystem::trajectory() const {
+  std::map<odometry::KeyframeId, Eigen::Isometry3d> T_map_keyframe;
+  for (const auto& [id, node] : finishedMap_->graph().keyframes()) T_map_keyframe.emplace(id, node.T_map_cam);
+  return trajectory_.corrected(T_map_keyframe);
 }
 
 std::string SlamSystem::configuration() const { return writeSlamOptions(options_, filters_); }

@@ -9,7 +9,7 @@
 namespace wardslam::features {
 
 struct OrbOptions {
-  int key_points = 1000;
+  int key_points = 1500;
   double scale_factor = 1.2;
   int levels = 8;
   int fast_threshold = 10;

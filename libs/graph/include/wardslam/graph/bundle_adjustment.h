@@ -1,9 +1,11 @@
 #pragma once
 
+#include <atomic>
 #include <set>
 
 #include "wardslam/graph/graph_options.h"
 #include "wardslam/graph/keyframe_graph.h"
+#include "wardslam/odometry/map_update.h"
 
 namespace wardslam::graph {
 
@@ -20,9 +22,13 @@ struct AdjustmentWindow {
 [[nodiscard]] AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest,
                                            const BundleAdjustmentOptions& options);
 
+/// Everything in one submap; its first keyframe holds still.
+[[nodiscard]] AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap);
+
 /// Least squares over all sightings in the window, reprojection and depth, with a robust loss; sightings that do not
-/// fit afterwards are removed from the graph. Returns what changed.
-odometry::MapUpdate adjust(KeyframeGraph& graph, const AdjustmentWindow& window,
-                           const BundleAdjustmentOptions& options);
+/// fit afterwards are removed from the graph. Returns what changed. Stops early, with the best so far, once `stop`
+/// (may be null) is set.
+odometry::MapUpdate adjust(KeyframeGraph& graph, const AdjustmentWindow& window, const BundleAdjustmentOptions& options,
+                           int maxIterations, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace wardslam::graph

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cstdint>
+
 namespace wardslam::graph {
 
 struct BundleAdjustmentOptions {
   int window = 12;
   int min_shared_points = 15;
   int max_fixed_keyframes = 30;
-  int max_iterations = 8;
+  int local_iterations = 8;
+  int global_iterations = 15;
   double pixel_sigma_px = 1.0;
   double depth_sigma_scale = 1.0;
 
@@ -16,19 +19,89 @@ struct BundleAdjustmentOptions {
     visit("min_shared_points", self.min_shared_points, {1, 10000}, "count", "for two keyframes to be neighbours");
     visit("max_fixed_keyframes", self.max_fixed_keyframes, {0, 1000}, "count",
           "that see the same points and hold still");
-    visit("max_iterations", self.max_iterations, {1, 1000}, "count", "of the solver");
+    visit("local_iterations", self.local_iterations, {1, 1000}, "count", "of the solver after every keyframe");
+    visit("global_iterations", self.global_iterations, {0, 1000}, "count", "of the solver over the map after a loop");
     visit("pixel_sigma_px", self.pixel_sigma_px, {0.1, 10.0}, "px", "noise of a key point on the finest level");
     visit("depth_sigma_scale", self.depth_sigma_scale, {0.1, 100.0}, "", "times the Kinect's depth noise");
   }
 };
 
-/// YAML section `graph:`.
-struct GraphOptions {
-  BundleAdjustmentOptions local;
+struct PlaceRecognitionOptions {
+  int min_keyframe_gap = 20;
+  int max_descriptor_distance = 50;
+  int min_votes = 20;
+  int max_candidates = 3;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit.group("local", self.local);
+    visit("min_keyframe_gap", self.min_keyframe_gap, {1, 10000}, "count", "keyframes since a place was left");
+    visit("max_descriptor_distance", self.max_descriptor_distance, {1, 256}, "bit", "of key points that look alike");
+    visit("min_votes", self.min_votes, {1, 10000}, "count", "key points that must look alike");
+    visit("max_candidates", self.max_candidates, {1, 100}, "count", "places that are verified, likeliest first");
+  }
+};
+
+struct LoopVerificationOptions {
+  int neighbours = 5;
+  int min_recognised = 15;
+  double search_radius_px = 8.0;
+  int min_inliers = 50;
+  double min_found_fraction = 0.3;
+  double max_drift_fraction = 0.05;
+  double min_drift_m = 0.3;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("neighbours", self.neighbours, {0, 100}, "count",
+          "keyframes around the old place whose points are looked for");
+    visit("min_recognised", self.min_recognised, {6, 10000}, "count", "points that agree on a pose by looks alone");
+    visit("search_radius_px", self.search_radius_px, {1.0, 100.0}, "px", "around where points of the place should be");
+    visit("min_inliers", self.min_inliers, {6, 10000}, "count", "points of the place that must be found");
+    visit("min_found_fraction", self.min_found_fraction, {0.0, 1.0}, "", "of the points that should be in sight");
+    visit("max_drift_fraction", self.max_drift_fraction, {0.0, 1.0}, "",
+          "of the path since then; a loop that asks for more correction is taken for a look-alike");
+    visit("min_drift_m", self.min_drift_m, {0.0, 100.0}, "m", "correction that is always believed");
+  }
+};
+
+enum class PoseGraphSolver : std::uint8_t { Ceres, Levmarq };
+
+struct PoseGraphOptions {
+  PoseGraphSolver solver = PoseGraphSolver::Ceres;
+  int min_shared_points = 60;
+  int max_iterations = 50;
+  double position_sigma_m = 0.02;
+  double rotation_sigma_rad = 0.01;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("solver", self.solver, {"ceres", "levmarq"}, "Ceres with a robust kernel, or MRPT's optimiser as a baseline");
+    visit("min_shared_points", self.min_shared_points, {1, 10000}, "count",
+          "for keyframes to hold each other in place");
+    visit("max_iterations", self.max_iterations, {1, 10000}, "count", "of the solver");
+    visit("position_sigma_m", self.position_sigma_m, {1e-4, 10.0}, "m", "of one keyframe seen from another");
+    visit("rotation_sigma_rad", self.rotation_sigma_rad, {1e-4, 1.0}, "rad", "of one keyframe seen from another");
+  }
+};
+
+/// YAML section `graph:`.
+struct GraphOptions {
+  bool close_loops = true;
+  int probation_keyframes = 3;
+  BundleAdjustmentOptions bundle_adjustment;
+  PlaceRecognitionOptions place_recognition;
+  LoopVerificationOptions loop_verification;
+  PoseGraphOptions pose_graph;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("close_loops", self.close_loops, "recognise places, correct the map there, join submaps");
+    visit("probation_keyframes", self.probation_keyframes, {1, 1000}, "count",
+          "in which a new point must be seen again, or it is dropped");
+    visit.group("bundle_adjustment", self.bundle_adjustment);
+    visit.group("place_recognition", self.place_recognition);
+    visit.group("loop_verification", self.loop_verification);
+    visit.group("pose_graph", self.pose_graph);
   }
 };
 

@@ -4,32 +4,35 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "wardslam/odometry/keyframe.h"
-#include "wardslam/odometry/map_update.h"
+#include "wardslam/odometry/map_point.h"
 
 namespace wardslam::graph {
 
 using odometry::KeyframeId;
 using odometry::PointId;
 
-/// A keyframe as it stands in the graph: its pose changes, what it saw does not.
+/// A keyframe as it stands in the graph: its pose and what it is known to see change, its image does not.
 struct KeyframeNode {
   std::shared_ptr<const odometry::Keyframe> keyframe;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
   std::map<PointId, std::size_t> keypointOf;  ///< Points it sees, and the key point of each.
+  std::uint32_t submap = 0;                   ///< Keyframes of one submap share a map frame.
 };
 
-/// A map point: where it is and which keyframes see it.
+/// A map point and the keyframes that see it.
 struct PointNode {
-  Eigen::Vector3d p_map_m = Eigen::Vector3d::Zero();
+  odometry::MapPoint point;
   std::set<KeyframeId> seenBy;
 };
 
 /// Keyframes and points, tied by sightings. Two keyframes that see the same points are covisible.
 class KeyframeGraph {
  public:
+  /// Places the keyframe relative to the one before it. Points not known yet are made from their key point's depth.
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
 
   [[nodiscard]] const std::map<KeyframeId, KeyframeNode>& keyframes() const { return keyframes_; }
@@ -39,13 +42,19 @@ class KeyframeGraph {
   [[nodiscard]] std::vector<std::pair<KeyframeId, std::size_t>> covisible(KeyframeId id) const;
 
   void setPose(KeyframeId id, const Eigen::Isometry3d& T_map_cam) { keyframes_.at(id).T_map_cam = T_map_cam; }
-  void setPosition(PointId id, const Eigen::Vector3d& p_map_m) { points_.at(id).p_map_m = p_map_m; }
-  void removeSighting(KeyframeId keyframe, PointId point);
-  void removePoint(PointId point);
+  void setPosition(PointId id, const Eigen::Vector3d& p_map_m);
+  void removeSighting(KeyframeId keyframe, PointId point);  ///< And the point, when nobody else sees it.
+
+  /// `from` turned out to be `into`: its sightings become the other's.
+  void fuse(PointId from, PointId into);
+
+  /// All keyframes of one submap now belong to the other; poses are not touched.
+  void joinSubmaps(std::uint32_t from, std::uint32_t into);
 
  private:
   std::map<KeyframeId, KeyframeNode> keyframes_;
   std::map<PointId, PointNode> points_;
+  std::map<std::uint32_t, std::uint32_t> joinedInto_;
 };
 
 }  // namespace wardslam::graph

@@ -15,8 +15,7 @@ using KeyframeId = std::uint64_t;
 /// A map point recognised in a key point of a keyframe.
 struct Sighting {
   PointId point = 0;
-  std::size_t keypoint = 0;                           ///< Index into Keyframe::features.
-  Eigen::Vector3d p_map_m = Eigen::Vector3d::Zero();  ///< Where the point was thought to be.
+  std::size_t keypoint = 0;  ///< Index into Keyframe::features.
 };
 
 /// An image worth remembering: it saw something new.
@@ -26,6 +25,8 @@ struct Keyframe {
   double stamp_s = 0.0;
   core::CameraModel camera;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+  /// From the keyframe before, of the same submap; corrections of the map leave it as it is. Identity for the first.
+  Eigen::Isometry3d T_previous_cam = Eigen::Isometry3d::Identity();
   core::Features features;  ///< Static ones only.
   std::vector<Sighting> sightings;
 };

@@ -6,6 +6,7 @@
 #include "wardslam/core/options.h"
 #include "wardslam/features/orb_extractor.h"
 #include "wardslam/filters/filter_chain.h"
+#include "wardslam/graph/graph_options.h"
 #include "wardslam/odometry/odometry_options.h"
 #include "wardslam/segmentation/segmenter_factory.h"
 
@@ -23,11 +24,13 @@ struct KnowledgeOptions {
 
 /// The whole configuration of a SlamSystem: one section per room.
 struct SlamOptions {
+  bool deterministic = false;
   features::OrbOptions features;
   segmentation::SegmentationOptions segmentation;
   KnowledgeOptions knowledge;
   core::ConfigNode filters = defaultFilters();  ///< List of {class_name, params}; see filters::FilterChain.
   odometry::OdometryOptions odometry;
+  graph::GraphOptions graph;
 
   std::filesystem::path file;  ///< Where it was read from; empty for the defaults.
 
@@ -38,10 +41,12 @@ struct SlamOptions {
   /// Everything but the filters, whose parameters only they themselves know.
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
+    visit("deterministic", self.deterministic, "same input, same bytes out; tracking then waits for adjustments");
     visit.group("features", self.features);
     visit.group("segmentation", self.segmentation);
     visit.group("knowledge", self.knowledge);
     visit.group("odometry", self.odometry);
+    visit.group("graph", self.graph);
   }
 };
 

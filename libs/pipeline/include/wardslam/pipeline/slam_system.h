@@ -10,7 +10,9 @@
 #include "wardslam/filters/filter_chain.h"
 #include "wardslam/odometry/odometry.h"
 #include "wardslam/pipeline/frame_observer.h"
+#include "wardslam/pipeline/map_keeper.h"
 #include "wardslam/pipeline/slam_options.h"
+#include "wardslam/pipeline/trajectory_recorder.h"
 #include "wardslam/sources/frame_builder.h"
 
 namespace wardslam::pipeline {
@@ -28,8 +30,17 @@ class SlamSystem {
   /// core::InputError for what no later observation mends. Filters annotate the observation.
   odometry::OdometryResult process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
 
-  /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
+  /// After the last observation: waits for what is still being worked into the map.
   void finish();
+
+  /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
+  void requireSoundSetup();
+
+  /// Every tracked frame, by the map as it is in the end. After finish().
+  [[nodiscard]] core::Trajectory trajectory() const;
+
+  /// Keyframes, points and loops. After finish().
+  [[nodiscard]] const graph::Mapper& map() const { return *finishedMap_; }
 
   /// Must outlive this object.
   void addObserver(FrameObserver& observer) { observers_.push_back(&observer); }
@@ -48,6 +59,9 @@ class SlamSystem {
   features::OrbExtractor features_;
   filters::FilterChain filters_;
   odometry::Odometry odometry_;
+  MapKeeper map_;
+  const graph::Mapper* finishedMap_ = nullptr;
+  TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;
   core::Profiler profiler_;
 };

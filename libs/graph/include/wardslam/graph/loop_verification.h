@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "wardslam/graph/graph_options.h"
+#include "wardslam/graph/keyframe_graph.h"
+#include "wardslam/odometry/matcher.h"
+#include "wardslam/odometry/pose_solver.h"
+
+namespace wardslam::graph {
+
+/// A place seen again: geometry says where the newer keyframe stood when seen from the older one.
+struct Loop {
+  KeyframeId older = 0;
+  KeyframeId newer = 0;
+  Eigen::Isometry3d T_older_newer = Eigen::Isometry3d::Identity();
+  int inliers = 0;
+  std::vector<std::pair<PointId, PointId>> samePoints;  ///< Seen by the newer; what it is at the older place.
+  std::vector<KeyframeId> place;                        ///< Keyframes around the older one, itself first.
+};
+
+/// Decides whether a keyframe that looks like an old place is there: points of the place must be found where one pose
+/// says they are, by reprojection and depth, and the correction must be one that drift can explain.
+class LoopVerification {
+ public:
+  LoopVerification(const LoopVerificationOptions& options, const odometry::MatcherOptions& matcher,
+                   const odometry::PoseSolverOptions& solver)
+      : options_(options), matcher_(matcher), solver_(solver) {}
+
+  [[nodiscard]] std::optional<Loop> verify(const KeyframeGraph& graph, KeyframeId newer, KeyframeId older) const;
+
+ private:
+  [[nodiscard]] bool isPlausible(const KeyframeGraph& graph, const Loop& loop) const;
+
+  LoopVerificationOptions options_;
+  odometry::Matcher matcher_;
+  odometry::PoseSolver solver_;
+};
+
+}  // namespace wardslam::graph

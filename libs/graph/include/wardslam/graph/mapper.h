@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "wardslam/graph/graph_options.h"
+#include "wardslam/graph/keyframe_graph.h"
+#include "wardslam/graph/loop_verification.h"
+#include "wardslam/graph/place_recognition.h"
+#include "wardslam/odometry/map_update.h"
+#include "wardslam/odometry/odometry_options.h"
+
+namespace wardslam::graph {
+
+/// Keeps the map of keyframes right as it grows: local bundle adjustment after every keyframe; where an old place is
+/// seen again, the loop is closed over a pose graph and everything adjusted; submaps that meet are joined.
+///
+/// Plain and single-threaded; AsyncMapper runs one behind tracking.
+class Mapper {
+ public:
+  Mapper(const GraphOptions& options, const odometry::OdometryOptions& odometry);
+
+  /// Takes in a keyframe; keyframes come in order. Returns what tracking should know. Adjustments over the whole map
+  /// end early once `stop` (may be null) is set.
+  odometry::MapUpdate insert(const std::shared_ptr<const odometry::Keyframe>& keyframe,
+                             const std::atomic<bool>* stop = nullptr);
+
+  [[nodiscard]] const KeyframeGraph& graph() const { return graph_; }
+  [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
+  [[nodiscard]] std::size_t submapsJoined() const { return submapsJoined_; }
+
+  /// Adjusts the whole map once more: after the last keyframe.
+  void adjustAll();
+
+ private:
+  void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
+  [[nodiscard]] std::optional<Loop> recognise(KeyframeId newest) const;
+  odometry::MapUpdate close(const Loop& loop, const std::atomic<bool>* stop);
+  void joinSubmaps(const Loop& loop);
+  void optimisePoses(std::uint32_t submap);
+  void fuse(const Loop& loop, odometry::MapUpdate& update);
+  void recall(const Loop& loop, odometry::MapUpdate& update) const;
+
+  GraphOptions options_;
+  KeyframeGraph graph_;
+  std::multimap<KeyframeId, PointId> onProbation_;  ///< Points by the keyframe that made them.
+  PlaceRecognition places_;
+  LoopVerification verification_;
+  std::vector<Loop> loops_;
+  std::size_t submapsJoined_ = 0;
+};
+
+}  // namespace wardslam::graph

@@ -1,0 +1,155 @@
+#include "wardslam/graph/mapper.h"
+
+#include <set>
+
+#include "pose_graph.h"
+#include "wardslam/core/mrpt_compat.h"
+#include "wardslam/graph/bundle_adjustment.h"
+
+namespace wardslam::graph {
+namespace {
+
+/// Moves keyframes to new poses; every point goes with the first keyframe that saw it.
+void moveKeyframes(KeyframeGraph& graph, const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
+  std::map<PointId, Eigen::Vector3d> positions_m;
+  for (const auto& [id, node] : graph.points()) {
+    const KeyframeId reference = *node.seenBy.begin();
+    const auto moved = T_map_cam.find(reference);
+    if (moved == T_map_cam.end()) continue;
+    const Eigen::Isometry3d correction = moved->second * graph.keyframes().at(reference).T_map_cam.inverse();
+    positions_m[id] = correction * node.point.p_map_m;
+  }
+  for (const auto& [id, p_map_m] : positions_m) graph.setPosition(id, p_map_m);
+  for (const auto& [id, pose] : T_map_cam) graph.setPose(id, pose);
+}
+
+/// The whole submap as tracking should know it.
+odometry::MapUpdate describe(const KeyframeGraph& graph, std::uint32_t submap) {
+  odometry::MapUpdate update;
+  for (const auto& [id, node] : graph.keyframes()) {
+    if (node.submap != submap) continue;
+    update.T_map_cam[id] = node.T_map_cam;
+    for (const auto& [point, keypoint] : node.keypointOf) {
+      update.p_map_m[point] = graph.points().at(point).point.p_map_m;
+    }
+  }
+  return update;
+}
+
+}  // namespace
+
+Mapper::Mapper(const GraphOptions& options, const odometry::OdometryOptions& odometry)
+    : options_(options),
+      places_(options.place_recognition),
+      verification_(options.loop_verification, odometry.matcher, odometry.pose_solver) {}
+
+odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe,
+                                   const std::atomic<bool>* stop) {
+  const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
+  graph_.insert(keyframe);
+  auto update = adjust(graph_, localWindow(graph_, keyframe->id, adjustment), adjustment, adjustment.local_iterations);
+  cullPoints(keyframe->id, update);
+  if (!options_.close_loops) return update;
+
+  const auto loop = recognise(keyframe->id);
+  places_.add(*keyframe);
+  if (!loop) return update;
+  auto correction = close(*loop, stop);
+  correction.removedPoints.insert(correction.removedPoints.end(), update.removedPoints.begin(),
+                                  update.removedPoints.end());
+  return correction;
+}
+
+void Mapper::cullPoints(KeyframeId newest, odometry::MapUpdate& update) {
+  for (const auto& [point, keypoint] : graph_.keyframes().at(newest).keypointOf) {
+    if (*graph_.points().at(point).seenBy.begin() == newest) onProbation_.emplace(newest, point);
+  }
+  const KeyframeId probation = static_cast<KeyframeId>(options_.probation_keyframes);
+  while (!onProbation_.empty() && onProbation_.begin()->first + probation <= newest) {
+    const auto [keyframe, point] = *onProbation_.begin();
+    onProbation_.erase(onProbation_.begin());
+    const auto node = graph_.points().find(point);
+    if (node == graph_.points().end() || node->second.seenBy.size() > 1) continue;
+    graph_.removeSighting(*node->second.seenBy.begin(), point);
+    update.removedPoints.push_back(point);
+  }
+}
+
+void Mapper::adjustAll() {
+  std::set<std::uint32_t> submaps;
+  for (const auto& [id, node] : graph_.keyframes()) submaps.insert(node.submap);
+  const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
+  for (const std::uint32_t submap : submaps) {
+    adjust(graph_, globalWindow(graph_, submap), adjustment, adjustment.global_iterations);
+  }
+}
+
+std::optional<Loop> Mapper::recognise(KeyframeId newest) const {
+  std::set<KeyframeId> known{newest};
+  for (const auto& [id, shared] : graph_.covisible(newest)) known.insert(id);
+  const auto& features = graph_.keyframes().at(newest).keyframe->features;
+  for (const KeyframeId candidate : places_.candidates(features, known)) {
+    if (auto loop = verification_.verify(graph_, newest, candidate)) return loop;
+  }
+  return std::nullopt;
+}
+
+odometry::MapUpdate Mapper::close(const Loop& loop, const std::atomic<bool>* stop) {
+  loops_.push_back(loop);
+  joinSubmaps(loop);
+  const std::uint32_t submap = graph_.keyframes().at(loop.newer).submap;
+  optimisePoses(submap);
+  odometry::MapUpdate fused;
+  fuse(loop, fused);
+  const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
+  const auto adjusted = adjust(graph_, globalWindow(graph_, submap), adjustment, adjustment.global_iterations, stop);
+  odometry::MapUpdate update = describe(graph_, submap);
+  update.fusedPoints = std::move(fused.fusedPoints);
+  update.removedPoints = adjusted.removedPoints;
+  recall(loop, update);
+  return update;
+}
+
+void Mapper::joinSubmaps(const Loop& loop) {
+  const KeyframeNode& older = graph_.keyframes().at(loop.older);
+  const KeyframeNode& newer = graph_.keyframes().at(loop.newer);
+  if (older.submap == newer.submap) return;
+  const std::uint32_t from = newer.submap;
+  const Eigen::Isometry3d T_older_newerMap = older.T_map_cam * loop.T_older_newer * newer.T_map_cam.inverse();
+  std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
+  for (const auto& [id, node] : graph_.keyframes()) {
+    if (node.submap == from) T_map_cam[id] = T_older_newerMap * node.T_map_cam;
+  }
+  moveKeyframes(graph_, T_map_cam);
+  graph_.joinSubmaps(from, older.submap);
+  ++submapsJoined_;
+}
+
+void Mapper::optimisePoses(std::uint32_t submap) {
+  PoseGraph poses = makePoseGraph(graph_, submap, loops_, options_.pose_graph);
+  std::set<std::pair<KeyframeId, KeyframeId>> loopEdges;
+  for (const Loop& loop : loops_) loopEdges.emplace(loop.older, loop.newer);
+  optimise(poses, loopEdges, options_.pose_graph);
+  std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
+  for (const auto& [id, pose] : poses.nodes) T_map_cam[id] = core::fromMrpt(pose);
+  moveKeyframes(graph_, T_map_cam);
+}
+
+void Mapper::fuse(const Loop& loop, odometry::MapUpdate& update) {
+  for (const auto& [from, into] : loop.samePoints) {
+    if (graph_.points().count(from) == 0 || graph_.points().count(into) == 0) continue;
+    graph_.fuse(from, into);
+    update.fusedPoints[from] = into;
+  }
+}
+
+void Mapper::recall(const Loop& loop, odometry::MapUpdate& update) const {
+  for (const KeyframeId id : loop.place) {
+    for (const auto& [point, keypoint] : graph_.keyframes().at(id).keypointOf) {
+      update.recalledKeyframes[id].push_back(point);
+      update.recalledPoints.emplace(point, graph_.points().at(point).point);
+    }
+  }
+}
+
+}  // namespace wardslam::graph

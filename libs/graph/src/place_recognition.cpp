@@ -1,0 +1,73 @@
+#include "wardslam/graph/place_recognition.h"
+
+#include <algorithm>
+#include <map>
+#include <opencv2/flann.hpp>
+
+namespace wardslam::graph {
+namespace {
+
+// Locality-sensitive hashing: more tables find more, longer keys compare less.
+constexpr int kTables = 8;
+constexpr int kKeyBits = 14;
+constexpr int kProbes = 1;
+constexpr int kNeighbours = 3;
+
+}  // namespace
+
+struct PlaceRecognition::Index {
+  cv::Mat descriptors;
+  std::vector<odometry::KeyframeId> keyframeOf;  ///< Per row.
+  std::unique_ptr<cv::flann::Index> search;      ///< Over the first rows only; rebuilt when many have come.
+};
+
+PlaceRecognition::PlaceRecognition(const PlaceRecognitionOptions& options)
+    : options_(options), index_(std::make_unique<Index>()) {}
+PlaceRecognition::~PlaceRecognition() = default;
+PlaceRecognition::PlaceRecognition(PlaceRecognition&&) noexcept = default;
+
+void PlaceRecognition::add(const odometry::Keyframe& keyframe) {
+  waiting_.emplace_back(keyframe.id, keyframe.features.descriptors);
+  const auto gap = static_cast<std::size_t>(options_.min_keyframe_gap);
+  if (waiting_.size() >= 2 * gap) extendIndex();
+}
+
+void PlaceRecognition::extendIndex() {
+  const auto gap = static_cast<std::ptrdiff_t>(options_.min_keyframe_gap);
+  for (auto it = waiting_.begin(); it != waiting_.end() - gap; ++it) {
+    index_->descriptors.push_back(it->second);
+    index_->keyframeOf.insert(index_->keyframeOf.end(), static_cast<std::size_t>(it->second.rows), it->first);
+  }
+  waiting_.erase(waiting_.begin(), waiting_.end() - gap);
+  index_->search = std::make_unique<cv::flann::Index>(
+      index_->descriptors, cv::flann::LshIndexParams(kTables, kKeyBits, kProbes), cvflann::FLANN_DIST_HAMMING);
+}
+
+std::vector<odometry::KeyframeId> PlaceRecognition::candidates(const core::Features& features,
+                                                               const std::set<odometry::KeyframeId>& excluded) const {
+  if (!index_->search || features.size() == 0) return {};
+  cv::Mat rows;
+  cv::Mat distances;
+  index_->search->knnSearch(features.descriptors, rows, distances, kNeighbours, cv::flann::SearchParams());
+  std::map<odometry::KeyframeId, int> votes;
+  for (int feature = 0; feature < rows.rows; ++feature) {
+    std::set<odometry::KeyframeId> votedFor;
+    for (int i = 0; i < rows.cols; ++i) {
+      const int row = rows.at<int>(feature, i);
+      if (row < 0 || distances.at<int>(feature, i) > options_.max_descriptor_distance) continue;
+      const auto keyframe = index_->keyframeOf.at(static_cast<std::size_t>(row));
+      if (excluded.count(keyframe) == 0 && votedFor.insert(keyframe).second) ++votes[keyframe];
+    }
+  }
+  std::vector<std::pair<int, odometry::KeyframeId>> ranking;
+  for (const auto& [keyframe, count] : votes) {
+    if (count >= options_.min_votes) ranking.emplace_back(count, keyframe);
+  }
+  std::sort(ranking.rbegin(), ranking.rend());
+  ranking.resize(std::min(ranking.size(), static_cast<std::size_t>(options_.max_candidates)));
+  std::vector<odometry::KeyframeId> likely;
+  for (const auto& [count, keyframe] : ranking) likely.push_back(keyframe);
+  return likely;
+}
+
+}  // namespace wardslam::graph

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <mrpt/graphs/CNetworkOfPoses.h>
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "wardslam/graph/graph_options.h"
+#include "wardslam/graph/keyframe_graph.h"
+#include "wardslam/graph/loop_verification.h"
+
+namespace wardslam::graph {
+
+/// Keyframes as nodes (T_map_cam), relative poses as edges. MRPT's type: saveToTextFile() and its programs know it.
+using PoseGraph = mrpt::graphs::CNetworkOfPoses3DInf;
+
+/// The keyframes of one submap, tied by what they share and by loops. Information is in MRPT's order (x y z yaw pitch
+/// roll), in m and rad.
+[[nodiscard]] PoseGraph makePoseGraph(const KeyframeGraph& graph, std::uint32_t submap, const std::vector<Loop>& loops,
+                                      const PoseGraphOptions& options);
+
+/// Moves all nodes but the root so that the edges agree best. `loopEdges` are bent by a robust kernel when they do not
+/// fit the rest (Ceres only).
+void optimise(PoseGraph& poses, const std::set<std::pair<KeyframeId, KeyframeId>>& loopEdges,
+              const PoseGraphOptions& options);
+
+}  // namespace wardslam::graph
