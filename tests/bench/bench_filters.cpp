@@ -118,6 +118,7 @@ void wholeFilter(benchmark::State& state) {
                          std::make_shared<knowledge::KnowledgeGraph>(hospital())});
   core::Frame frame;
   frame.color_bgr = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(0));
+  frame.gray = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(0));
   frame.features.keypoints = randomKeypoints();
   frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
   frame.observation->hasRangeImage = true;

@@ -42,6 +42,7 @@ core::Frame frameOf(std::vector<core::Keypoint> keypoints) {
   core::Frame frame;
   frame.stamp_s = 7.0;
   frame.color_bgr = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(100));
+  frame.gray = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(100));
   frame.features.keypoints = std::move(keypoints);
   frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
   frame.observation->hasRangeImage = true;

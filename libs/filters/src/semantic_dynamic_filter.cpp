@@ -3,7 +3,6 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <opencv2/imgproc.hpp>
-#include <utility>
 
 #include "wardslam/core/annotation.h"
 #include "wardslam/filters/motion_annotation.h"
@@ -49,21 +48,21 @@ void SemanticDynamicFilter::initialize(const core::ConfigNode& parameters, const
   check(options_, parameters);
   if (!context.segmenter) parameters.fail("SemanticDynamicFilter needs a segmenter; give masks or a network");
   if (!context.knowledge) parameters.fail("SemanticDynamicFilter needs a knowledge graph; give one");
-  segmenter_ = context.segmenter;
-  rules_.emplace(*context.knowledge, segmenter_->labelSpace());
+  masks_ = makeMaskFeed(options_.masks, context.segmenter);
+  rules_.emplace(*context.knowledge, context.segmenter->labelSpace());
   test_.emplace(*rules_, options_.test);
   movingIds_ = tableOfMoving(*rules_);
 }
 
 void SemanticDynamicFilter::begin(const core::Frame& frame) {
-  segmenter_->submit(frame.color_bgr, frame.stamp_s);
-  isSubmitted_ = true;
+  masks_->begin(frame);
+  isBegun_ = true;
 }
 
 void SemanticDynamicFilter::apply(core::Frame& frame) {
-  if (!isSubmitted_) begin(frame);
-  isSubmitted_ = false;
-  receiveSegmentation(frame);
+  if (!isBegun_) begin(frame);
+  isBegun_ = false;
+  masks_->fill(frame);
   if (frame.segmentation.empty()) {
     ++frame.events["filters.no_segmentation"];
     return;
@@ -72,16 +71,6 @@ void SemanticDynamicFilter::apply(core::Frame& frame) {
 }
 
 std::string SemanticDynamicFilter::parameters(int indent) const { return core::writeOptions(options_, indent); }
-
-void SemanticDynamicFilter::receiveSegmentation(core::Frame& frame) {
-  auto [segmentation, events] = segmenter_->wait();
-  core::accumulate(frame.events, events);
-  if (!segmentation.empty() && segmentation.classIds.size() != frame.color_bgr.size()) {
-    ++frame.events["filters.segmentation_size"];
-    segmentation = {};
-  }
-  frame.segmentation = std::move(segmentation);
-}
 
 void SemanticDynamicFilter::markMotion(core::Frame& frame) {
   const cv::Mat& classIds = frame.segmentation.classIds;

@@ -14,6 +14,7 @@ constexpr double kWidth_px = 320.0;
 /// Where each pixel is: the trail of no steps.
 cv::Mat grid(cv::Size size) {
   cv::Mat places(size, CV_32FC2);
+  if (places.empty()) return places;
   places.forEach<cv::Vec2f>([](cv::Vec2f& place, const int* at) {
     place = {static_cast<float>(at[1]), static_cast<float>(at[0])};
   });

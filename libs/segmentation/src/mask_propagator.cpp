@@ -1,67 +1,84 @@
 #include "wardslam/segmentation/mask_propagator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
 namespace wardslam::segmentation {
 namespace {
 
-// Of the small picture, 320 pixels wide.
-constexpr int kReach_px = 8;     ///< How far from its confirmed pixels an instance may take in more.
-constexpr int kMinArea_px = 16;  ///< Less than this is not worth carrying.
+constexpr std::size_t kMaxInstances = 254;
+constexpr int kMinArea_px = 64;  ///< Of the bounding box; less is not worth carrying.
 constexpr int kSampleStep_px = 2;
 
 constexpr float kSpeed_mps = 1.5F;        ///< Of a person who walks, or the camera: depth changes by so much.
 constexpr float kDepthNoise_m = 0.02F;    ///< And by noise, near,
-constexpr float kDepthNoisePerM = 0.02F;  ///< and more so far away (quantisation of the disparity).
-constexpr float kJoinDepth_m = 0.15F;     ///< A part of the instance differs less from the parts around it.
-constexpr float kBodyDepth_m = 0.5F;      ///< … and from the whole of it: half a person's reach.
+constexpr float kDepthNoisePerM = 0.02F;  ///< and more so far away (the sensor measures disparity).
+constexpr float kJoinDepth_m = 0.1F;      ///< Parts of one thing that lie side by side differ less.
+constexpr float kBodyDepth_m = 0.5F;      ///< Half a person's reach: parts differ less from the middle of the whole.
 constexpr float kMinSupport = 0.25F;      ///< Of the depth measured on an instance, this share must fit.
 
-/// The start of the trail as seen from its end.
-struct Expectation {
-  cv::Mat ids;      ///< CV_16UC1
-  cv::Mat depth_m;  ///< CV_32FC1
-};
+/// The instances by number: 1, 2, … in the order of the list; 0 is none of them.
+using Number = std::uint8_t;
+constexpr Number kOpen = 255;  ///< Not decided.
 
-/// One instance, within its part of the image.
-struct Candidate {
-  cv::Mat expected;     ///< CV_8UC1 mask, as warped.
-  cv::Mat others;       ///< Where another instance is expected.
-  cv::Mat depthThen_m;  ///< Expected depth.
-  cv::Mat depthNow_m;
-};
+/// What depth says about an instance as a whole.
+struct Body {
+  std::vector<float> shifts_m;
+  std::vector<float> depths_m;
+  float shift_m = 0.0F;  ///< It came nearer (negative) or went away since the start of the trail.
+  float depth_m = 0.0F;  ///< Where it is now; 0 = unknown.
+  int measured_px = 0;
+  int fitting_px = 0;
 
-Expectation warp(const core::Segmentation& masks, const Trail& trail) {
-  cv::Mat small;
-  cv::resize(masks.instanceIds, small, trail.places().size(), 0, 0, cv::INTER_NEAREST);
-  cv::Mat fixedPlaces;
-  cv::Mat unused;
-  cv::convertMaps(trail.places(), cv::noArray(), fixedPlaces, unused, CV_16SC2, true);
-  Expectation expectation;
-  cv::remap(small, expectation.ids, fixedPlaces, cv::noArray(), cv::INTER_NEAREST, cv::BORDER_REPLICATE);
-  cv::remap(trail.start().depth_m, expectation.depth_m, fixedPlaces, cv::noArray(), cv::INTER_NEAREST,
-            cv::BORDER_REPLICATE);
-  return expectation;
-}
-
-/// The part of the image that each instance is in.
-std::map<std::uint16_t, cv::Rect> findBoxes(const cv::Mat& ids) {
-  std::map<std::uint16_t, cv::Rect> boxes;
-  for (int y = 0; y < ids.rows; ++y) {
-    const auto* row = ids.ptr<std::uint16_t>(y);
-    for (int begin = 0, end = 0; begin < ids.cols; begin = end) {
-      for (end = begin; end < ids.cols && row[end] == row[begin];) ++end;
-      if (row[begin] != 0) boxes[row[begin]] |= cv::Rect(begin, y, end - begin, 1);
-    }
+  [[nodiscard]] bool isSupported() const {
+    return static_cast<float>(fitting_px) >= kMinSupport * static_cast<float>(measured_px);
   }
-  return boxes;
+};
+using Bodies = std::vector<Body>;
+
+/// The start of the trail as seen from its end, and what is there now.
+struct Scene {
+  cv::Mat numbers;      ///< CV_8UC1, as expected.
+  cv::Mat depthThen_m;  ///< CV_32FC1, as expected.
+  cv::Mat depthNow_m;
+  float elapsed_s = 0.0F;
+
+  [[nodiscard]] float tolerance_m(float depth_m) const {
+    return kDepthNoise_m + kDepthNoisePerM * depth_m + kSpeed_mps * elapsed_s;
+  }
+};
+
+/// CV_8UC1 at `size`.
+cv::Mat numberInstances(const core::Segmentation& masks, cv::Size size) {
+  cv::Mat ids;
+  cv::resize(masks.instanceIds, ids, size, 0, 0, cv::INTER_NEAREST);
+  std::vector<Number> numberOf(1 << 16, 0);
+  const std::size_t count = std::min(masks.instances.size(), kMaxInstances);
+  for (std::size_t i = 0; i < count; ++i) numberOf[masks.instances[i].id] = static_cast<Number>(i + 1);
+  cv::Mat numbers(size, CV_8UC1);
+  std::transform(ids.begin<std::uint16_t>(), ids.end<std::uint16_t>(), numbers.begin<Number>(),
+                 [&](std::uint16_t id) { return numberOf[id]; });
+  return numbers;
 }
 
-/// Of values that need not be sorted; 0 of none.
+Scene warp(const core::Segmentation& masks, const Trail& trail, const SmallPicture& now) {
+  const cv::Mat numbers = numberInstances(masks, trail.places().size());
+  cv::Mat places;
+  cv::Mat unused;
+  cv::convertMaps(trail.places(), cv::noArray(), places, unused, CV_16SC2, true);
+  const auto look = [&](const cv::Mat& then) {
+    cv::Mat seen;
+    cv::remap(then, seen, places, cv::noArray(), cv::INTER_NEAREST, cv::BORDER_REPLICATE);
+    return seen;
+  };
+  return {look(numbers), look(trail.start().depth_m), now.depth_m,
+          static_cast<float>(now.stamp_s - trail.start().stamp_s)};
+}
+
+/// 0 of none. Changes the order.
 float median(std::vector<float>& values) {
   if (values.empty()) return 0.0F;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -69,119 +86,157 @@ float median(std::vector<float>& values) {
   return *middle;
 }
 
-/// What depth says about an instance as a whole.
-struct Body {
-  float shift_m = 0.0F;  ///< It came nearer (negative) or went away since the start of the trail.
-  float depth_m = 0.0F;  ///< Where it is now; 0 = unknown.
-};
-
-Body measureBody(const Candidate& candidate, float maxShift_m) {
-  std::vector<float> shifts_m;
-  std::vector<float> depths_m;
-  for (int y = 0; y < candidate.expected.rows; y += kSampleStep_px) {
-    const auto* expected = candidate.expected.ptr<std::uint8_t>(y);
-    const auto* then_m = candidate.depthThen_m.ptr<float>(y);
-    const auto* now_m = candidate.depthNow_m.ptr<float>(y);
-    for (int x = 0; x < candidate.expected.cols; x += kSampleStep_px) {
-      if (expected[x] == 0 || then_m[x] <= 0 || now_m[x] <= 0) continue;
-      const float shift_m = now_m[x] - then_m[x];
-      if (std::abs(shift_m) > maxShift_m) continue;
-      shifts_m.push_back(shift_m);
-      depths_m.push_back(now_m[x]);
+Bodies measureBodies(const Scene& scene, std::size_t count) {
+  Bodies bodies(count + 1);
+  const float maxShift_m = 2 * kSpeed_mps * scene.elapsed_s + kJoinDepth_m;  // both may move
+  for (int y = 0; y < scene.numbers.rows; y += kSampleStep_px) {
+    const auto* number = scene.numbers.ptr<Number>(y);
+    const auto* then_m = scene.depthThen_m.ptr<float>(y);
+    const auto* now_m = scene.depthNow_m.ptr<float>(y);
+    for (int x = 0; x < scene.numbers.cols; x += kSampleStep_px) {
+      if (number[x] == 0 || then_m[x] <= 0 || now_m[x] <= 0) continue;
+      if (std::abs(now_m[x] - then_m[x]) > maxShift_m) continue;
+      bodies[number[x]].shifts_m.push_back(now_m[x] - then_m[x]);
+      bodies[number[x]].depths_m.push_back(now_m[x]);
     }
   }
-  return {median(shifts_m), median(depths_m)};
+  for (Body& body : bodies) {
+    body.shift_m = median(body.shifts_m);
+    body.depth_m = median(body.depths_m);
+  }
+  return bodies;
 }
 
-/// Mean depth of the confirmed pixels around each pixel; 0 where there are too few.
-cv::Mat depthAround(const cv::Mat& confirmed, const cv::Mat& depth_m) {
-  const cv::Size side(2 * kReach_px + 1, 2 * kReach_px + 1);
-  cv::Mat count;
-  cv::Mat sum_m = cv::Mat::zeros(depth_m.size(), CV_32FC1);
-  depth_m.copyTo(sum_m, confirmed);
-  confirmed.convertTo(count, CV_32F, 1.0 / 255.0);
-  cv::boxFilter(count, count, CV_32F, side, {-1, -1}, false);
-  cv::boxFilter(sum_m, sum_m, CV_32F, side, {-1, -1}, false);
-  cv::Mat mean_m = sum_m / cv::max(count, 1.0);
-  mean_m.setTo(0, count < 1.5);
-  return mean_m;
+/// What one pixel is, by itself. Counts support.
+Number judge(const Scene& scene, Number expected, float then_m, float now_m, Bodies& bodies) {
+  Body& body = bodies[expected];  // number 0: the background, which stays
+  if (now_m <= 0) return expected;
+  if (then_m <= 0) {
+    const bool fits = expected != 0 && (body.depth_m <= 0 || std::abs(now_m - body.depth_m) < kBodyDepth_m);
+    return fits ? expected : kOpen;
+  }
+  ++body.measured_px;
+  if (std::abs(now_m - then_m - body.shift_m) > scene.tolerance_m(then_m)) return kOpen;
+  ++body.fitting_px;
+  return expected;
 }
 
-/// The mask of one instance now (CV_8UC1), empty when it finds no support.
-cv::Mat settle(const Candidate& candidate, float elapsed_s) {
-  const cv::Mat& expected = candidate.expected;
-  const cv::Mat& now_m = candidate.depthNow_m;
-  const cv::Mat& then_m = candidate.depthThen_m;
-  const cv::Mat hasNow = now_m > 0;
-  const cv::Mat hasBoth = hasNow & (then_m > 0);
-  const float maxShift_m = kSpeed_mps * elapsed_s;
-  const Body body = measureBody(candidate, 2 * maxShift_m + kJoinDepth_m);
-
-  const cv::Mat tolerance_m = then_m * kDepthNoisePerM + (kDepthNoise_m + maxShift_m);
-  const cv::Mat change_m = now_m - then_m;
-  const cv::Mat confirmed = (cv::abs(change_m - body.shift_m) < tolerance_m) & hasBoth & expected;
-  const int measured = cv::countNonZero(hasBoth & expected);
-  const int supporting = cv::countNonZero(confirmed);
-  if (static_cast<float>(supporting) < kMinSupport * static_cast<float>(measured)) return {};
-
-  const cv::Mat background = (cv::abs(change_m) < tolerance_m) & hasBoth & ~expected;
-  const cv::Mat joined =
-      (cv::abs(now_m - depthAround(confirmed, now_m)) < kJoinDepth_m) & hasNow & ~background & ~candidate.others;
-  cv::Mat unmeasured = expected & ~hasBoth;
-  if (body.depth_m > 0) unmeasured &= ~hasNow | (cv::abs(now_m - body.depth_m) < kBodyDepth_m);
-
-  cv::Mat mask = confirmed | joined | unmeasured;
-  cv::medianBlur(mask, mask, 5);  // closes what the depth sensor missed, drops crumbs
-  return cv::countNonZero(mask) < kMinArea_px ? cv::Mat() : mask;
+/// The number of each pixel now, or kOpen.
+cv::Mat judgeAll(const Scene& scene, Bodies& bodies) {
+  cv::Mat numbers(scene.numbers.size(), CV_8UC1);
+  for (int y = 0; y < numbers.rows; ++y) {
+    const auto* expected = scene.numbers.ptr<Number>(y);
+    const auto* then_m = scene.depthThen_m.ptr<float>(y);
+    const auto* now_m = scene.depthNow_m.ptr<float>(y);
+    auto* number = numbers.ptr<Number>(y);
+    for (int x = 0; x < numbers.cols; ++x) number[x] = judge(scene, expected[x], then_m[x], now_m[x], bodies);
+  }
+  return numbers;
 }
 
-Candidate cut(const Expectation& expectation, const cv::Mat& depthNow_m, std::uint16_t id, const cv::Rect& part) {
-  const cv::Mat ids = expectation.ids(part);
-  const cv::Mat expected = ids == id;
-  return {expected, (ids != 0) & ~expected, expectation.depth_m(part), depthNow_m(part)};
+/// Where most of what can be seen is another surface, the instance is gone.
+void dropUnsupported(cv::Mat& numbers, const Bodies& bodies) {
+  cv::Mat kept(1, 256, CV_8UC1);
+  for (int number = 0; number < 256; ++number) {
+    const auto i = static_cast<std::size_t>(number);
+    const bool isDropped = i > 0 && i < bodies.size() && !bodies[i].isSupported();
+    kept.at<Number>(number) = isDropped ? Number{0} : static_cast<Number>(number);
+  }
+  cv::LUT(numbers, kept, numbers);
 }
 
-/// Puts the mask of an instance, found at `part` of the small picture, into the result.
-void paint(const cv::Mat& smallMask, const cv::Rect& part, cv::Size small, core::Instance instance,
-           core::Segmentation& result) {
-  const cv::Size full = result.classIds.size();
-  const auto scaled = [](int at, int from, int to) { return at * to / from; };
-  const cv::Point first(scaled(part.x, small.width, full.width), scaled(part.y, small.height, full.height));
-  const cv::Point last(scaled(part.br().x, small.width, full.width), scaled(part.br().y, small.height, full.height));
-  const cv::Rect area(first, last);
-  cv::Mat mask;
-  cv::resize(smallMask, mask, area.size(), 0, 0, cv::INTER_NEAREST);
-  result.classIds(area).setTo(instance.classId, mask);
-  result.instanceIds(area).setTo(instance.id, mask);
-  instance.box_px = cv::boundingRect(mask) + area.tl();
-  result.instances.push_back(instance);
+/// Where to look for what a pixel belongs to: a close ring and a wide one.
+struct Offset {
+  int x;
+  int y;
+};
+constexpr std::array<Offset, 24> kAround = {{{-2, -2}, {0, -2},  {2, -2}, {-2, 0}, {2, 0}, {-2, 2}, {0, 2},  {2, 2},
+                                             {-5, -5}, {0, -5},  {5, -5}, {-5, 0}, {5, 0}, {-5, 5}, {0, 5},  {5, 5},
+                                             {-8, -4}, {-4, -8}, {4, -8}, {8, -4}, {8, 4}, {4, 8},  {-4, 8}, {-8, 4}}};
+
+/// The number that most of the surroundings at the depth of `at` have; kOpen when there are none.
+Number vote(const cv::Mat& numbers, const cv::Mat& depth_m, cv::Point at) {
+  std::array<Number, kAround.size()> voters{};
+  std::size_t count = 0;
+  const float own_m = depth_m.at<float>(at);
+  for (const Offset& offset : kAround) {
+    const cv::Point p(at.x + offset.x, at.y + offset.y);
+    if (p.x < 0 || p.y < 0 || p.x >= numbers.cols || p.y >= numbers.rows) continue;
+    const Number number = numbers.at<Number>(p);
+    const float other_m = depth_m.at<float>(p);
+    if (number != kOpen && other_m > 0 && std::abs(other_m - own_m) < kJoinDepth_m) voters[count++] = number;
+  }
+  Number best = kOpen;
+  std::ptrdiff_t most = 1;  // a single one may be a stray
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto votes = std::count(voters.begin() + static_cast<std::ptrdiff_t>(i),
+                                  voters.begin() + static_cast<std::ptrdiff_t>(count), voters[i]);
+    if (votes > most) {
+      most = votes;
+      best = voters[i];
+    }
+  }
+  return best;
 }
 
-cv::Rect widen(const cv::Rect& box, cv::Size image) {
-  const cv::Point reach(kReach_px, kReach_px);
-  return cv::Rect(box.tl() - reach, box.br() + reach) & cv::Rect({}, image);
+/// Pixels that are something else than expected join what lies beside them, in space too. Going through the image
+/// forth and back, whole regions join that were not in view before.
+void joinOpen(cv::Mat& numbers, const cv::Mat& depth_m) {
+  std::vector<cv::Point> open;
+  cv::findNonZero(numbers == kOpen, open);
+  const auto join = [&](const cv::Point& at) {
+    Number& number = numbers.at<Number>(at);
+    if (number == kOpen) number = vote(numbers, depth_m, at);
+  };
+  std::for_each(open.begin(), open.end(), join);
+  std::for_each(open.rbegin(), open.rend(), join);
+}
+
+/// The bounding box of each number.
+std::array<cv::Rect, 256> boxesOf(const cv::Mat& numbers) {
+  std::array<cv::Rect, 256> boxes;
+  for (int y = 0; y < numbers.rows; ++y) {
+    const auto* row = numbers.ptr<Number>(y);
+    for (int begin = 0, end = 0; begin < numbers.cols; begin = end) {
+      for (end = begin; end < numbers.cols && row[end] == row[begin];) ++end;
+      boxes[row[begin]] |= cv::Rect(begin, y, end - begin, 1);
+    }
+  }
+  return boxes;
+}
+
+/// The masks at full size, without the instances of which nothing is left.
+core::Segmentation paint(const cv::Mat& smallNumbers, const std::vector<core::Instance>& instances, cv::Size size) {
+  core::Segmentation result;
+  cv::Mat numbers;
+  cv::resize(smallNumbers, numbers, size, 0, 0, cv::INTER_NEAREST);
+  const auto boxes = boxesOf(numbers);
+  cv::Mat ids(1, 256, CV_16UC1, cv::Scalar(0));
+  cv::Mat classes(1, 256, CV_8UC1, cv::Scalar(0));
+  for (std::size_t i = 0; i < std::min(instances.size(), kMaxInstances); ++i) {
+    const auto number = static_cast<int>(i + 1);
+    if (boxes[i + 1].area() < kMinArea_px) continue;
+    core::Instance instance = instances[i];
+    instance.box_px = boxes[i + 1];
+    ids.at<std::uint16_t>(number) = instance.id;
+    classes.at<core::ClassId>(number) = instance.classId;
+    result.instances.push_back(instance);
+  }
+  cv::LUT(numbers, ids, result.instanceIds);
+  cv::LUT(numbers, classes, result.classIds);
+  return result;
 }
 
 }  // namespace
 
 core::Segmentation carryMasks(const core::Segmentation& masks, const Trail& trail, const SmallPicture& now) {
-  core::Segmentation result;
-  if (masks.empty()) return result;
-  result.classIds = cv::Mat(masks.classIds.size(), CV_8UC1, cv::Scalar(0));
-  result.instanceIds = cv::Mat(masks.classIds.size(), CV_16UC1, cv::Scalar(0));
-  if (masks.instances.empty()) return result;
-
-  const Expectation expectation = warp(masks, trail);
-  const auto boxes = findBoxes(expectation.ids);
-  const auto elapsed_s = static_cast<float>(now.stamp_s - trail.start().stamp_s);
-  for (const core::Instance& instance : masks.instances) {
-    const auto box = boxes.find(instance.id);
-    if (box == boxes.end()) continue;
-    const cv::Rect part = widen(box->second, expectation.ids.size());
-    const cv::Mat mask = settle(cut(expectation, now.depth_m, instance.id, part), elapsed_s);
-    if (!mask.empty()) paint(mask, part, expectation.ids.size(), instance, result);
-  }
-  return result;
+  if (masks.empty()) return {};
+  const Scene scene = warp(masks, trail, now);
+  Bodies bodies = measureBodies(scene, std::min(masks.instances.size(), kMaxInstances));
+  cv::Mat numbers = judgeAll(scene, bodies);
+  dropUnsupported(numbers, bodies);
+  joinOpen(numbers, scene.depthNow_m);
+  return paint(numbers, masks.instances, masks.classIds.size());
 }
 
 }  // namespace wardslam::segmentation

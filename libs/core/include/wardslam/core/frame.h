@@ -25,8 +25,10 @@ struct Frame {
   cv::Mat gray;       ///< CV_8UC1, raw.
   cv::Mat depth_m;    ///< CV_32FC1, same size as gray, depth along the optical axis in metres, 0 = none.
 
-  Features features;          ///< Filled by features::OrbExtractor; filters set Keypoint::motion.
-  Segmentation segmentation;  ///< Filled by the filter that segments; empty otherwise.
+  Features features;               ///< Filled by features::OrbExtractor; filters set Keypoint::motion.
+  Segmentation segmentation;       ///< Filled by the filter that segments; empty otherwise.
+  double segmentationAge_s = 0.0;  ///< How much older the image is that its masks were made from,
+  int segmentationAge_frames = 0;  ///< and how many frames.
 
   /// What the frame was built from; filters annotate it (pixelLabels, confidenceImage). May be null in tests.
   std::shared_ptr<mrpt::obs::CObservation3DRangeScan> observation;
