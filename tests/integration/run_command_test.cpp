@@ -227,6 +227,18 @@ TEST_F(RunCommand, AnInterruptionLeavesCompleteFiles) {
   EXPECT_FALSE(fs::exists(out / "trajectory.txt.partial"));
 }
 
+TEST_F(RunCommand, ARealRecording) {
+  const fs::path recording = fs::path(WARDSLAM_SHARED_DIR) / "data" / "rpy_walk";
+  if (!fs::exists(recording)) GTEST_SKIP() << "not here: " << recording;
+  const auto result = run(recording, {"--camera", fs::path(WARDSLAM_CONFIG_DIR) / "cameras" / "tum_freiburg1.yaml",
+                                      "--masks", recording / "masks", "--max-frames", "20", "--pictures"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.err, IsEmpty());
+  EXPECT_THAT(trajectory(), SizeIs(20));
+  EXPECT_TRUE(summary().at("events").empty()) << "every image has its mask: " << summary().at("events");
+  EXPECT_EQ(std::distance(fs::directory_iterator(out / "pictures"), {}), 2);
+}
+
 TEST_F(RunCommand, RefusesWrongUsage) {
   const test::RoomRecording room(2);
   expectError(run(room.path(), {"--filter", "on"}), 2, "--filter on needs masks");
@@ -307,6 +319,15 @@ TEST_F(RunCommand, ARawlogThatIsCutOff) {
   EXPECT_GT(frames, 3U);
   EXPECT_LT(frames, 9U);
   expectTheRest(frames, "sources.rawlog_truncated");
+}
+
+TEST_F(RunCommand, ACameraThatIsNotKnown) {
+  const test::RoomRecording room(2);
+  fs::remove(room.path() / "camera.yaml");
+  expectError(run(room.path()), 1, "tum_freiburg3.yaml");
+  const auto result = run(
+      room.path(), {"--filter", "off", "--camera", fs::path(WARDSLAM_CONFIG_DIR) / "cameras" / "tum_freiburg3.yaml"});
+  expectError(result, 1, "rgb/0.png has 320x240 pixels but the camera 640x480");
 }
 
 TEST_F(RunCommand, AnInputThatIsNoRecording) {
