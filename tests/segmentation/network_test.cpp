@@ -22,7 +22,9 @@ std::string network() {
   onnx.addNode("Sub", "sub", {"x", "one"}, "less");
   onnx.addNode("Relu", "relu", {"x"}, "positive");
   onnx.addNode("ArgMax", "best", {"x"}, "channel", {{"axis", 1}, {"keepdims", 1}});
-  for (const char* output : {"less", "positive", "channel"}) onnx.addOutput(output);
+  onnx.addOutput("less");
+  onnx.addOutput("positive");
+  onnx.addOutput("channel", test::OnnxWriter::ElementType::Int64);
   return onnx.model();
 }
 

@@ -10,11 +10,15 @@ namespace wardslam::test {
 /// Just enough of ONNX's protobuf format to write networks of a few operations by hand. Field numbers: onnx.proto.
 class OnnxWriter {
  public:
+  enum class ElementType : std::uint64_t { Float = 1, Int64 = 7 };  // TensorProto.DataType
+
   /// A dimension of 0 is left open.
   void addInput(const std::string& name, const std::vector<std::uint64_t>& shape) {
     graph_ += bytes(11, valueInfo(name, shape));
   }
-  void addOutput(const std::string& name) { graph_ += bytes(12, valueInfo(name, {})); }
+  void addOutput(const std::string& name, ElementType type = ElementType::Float) {
+    graph_ += bytes(12, valueInfo(name, {}, type));
+  }
 
   void addConstant(const std::string& name, const std::vector<std::uint64_t>& shape, const std::vector<float>& values) {
     std::string tensor;
@@ -39,8 +43,8 @@ class OnnxWriter {
   }
 
  private:
-  static constexpr std::uint64_t kFloat = 1;  // TensorProto.DataType
-  static constexpr std::uint64_t kInt = 2;    // AttributeProto.AttributeType
+  static constexpr auto kFloat = static_cast<std::uint64_t>(ElementType::Float);
+  static constexpr std::uint64_t kInt = 2;  // AttributeProto.AttributeType
 
   static std::string varint(std::uint64_t value) {
     std::string text;
@@ -51,10 +55,11 @@ class OnnxWriter {
   static std::string bytes(std::uint64_t field, const std::string& content) {
     return varint((field << 3U) | 2U) + varint(content.size()) + content;
   }
-  static std::string valueInfo(const std::string& name, const std::vector<std::uint64_t>& shape) {
+  static std::string valueInfo(const std::string& name, const std::vector<std::uint64_t>& shape,
+                               ElementType type = ElementType::Float) {
     std::string dimensions;
     for (const auto size : shape) dimensions += bytes(1, size > 0 ? number(1, size) : bytes(2, "open"));
-    return bytes(1, name) + bytes(2, bytes(1, number(1, kFloat) + bytes(2, dimensions)));
+    return bytes(1, name) + bytes(2, bytes(1, number(1, static_cast<std::uint64_t>(type)) + bytes(2, dimensions)));
   }
 
   std::string graph_;

@@ -68,7 +68,7 @@ TEST_F(SemanticSegmenterTest, RunsANetworkOfClassNumbers) {
   test::OnnxWriter onnx;
   onnx.addInput("image", {1, 3, 48, 64});
   onnx.addNode("ArgMax", "best", {"image"}, "classes", {{"axis", 1}, {"keepdims", 1}});
-  onnx.addOutput("classes");
+  onnx.addOutput("classes", test::OnnxWriter::ElementType::Int64);
   options_.model = folder_.write("classes.onnx", onnx.model()).string();
   SemanticSegmenter segmenter(options_, classes_);
   expectColours(segmenter.segment(image_, 0.0).segmentation);

@@ -158,6 +158,25 @@ TEST_P(YoloOnRecordings, PutsOutTheSizeOfTheImageWhateverThatIs) {
   }
 }
 
+TEST_P(YoloOnRecordings, GivesTheSameMasksOnBothBackends) {
+  YoloOptions options;
+  options.model = model().string();
+  std::unique_ptr<YoloSegmenter> other;
+  try {
+    other = std::make_unique<YoloSegmenter>(options, "", Backend::OnnxRuntime);
+  } catch (const core::InputError& error) {
+    GTEST_SKIP() << error.what();
+  }
+  for (const char* name : {"1700000003.000000.jpg", "1700000005.000000.jpg", "1700000007.000000.jpg"}) {
+    const cv::Mat image = cv::imread((kShared / "data" / "ward_walking" / "rgb" / name).string());
+    ASSERT_FALSE(image.empty()) << name;
+    const auto one = segmenter_->segment(image, 0.0).segmentation;
+    const auto two = other->segment(image, 0.0).segmentation;
+    EXPECT_EQ(one.instances.size(), two.instances.size()) << name;
+    EXPECT_LT(cv::countNonZero(one.classIds != two.classIds), 100) << name;  // sums are rounded in another order
+  }
+}
+
 TEST_P(YoloOnRecordings, SurvivesAnImageItCannotTake) {
   const auto result = segmenter_->segment(cv::Mat(), 0.0);
   EXPECT_TRUE(result.segmentation.empty());
