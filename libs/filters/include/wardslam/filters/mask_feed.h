@@ -23,7 +23,7 @@ struct MaskFeedOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("mode", self.mode, {"wait", "propagate"},
           "tracking waits for the masks of each image, or takes the newest there are, carried to the image");
-    visit("latency", self.latency_frames, {0, 1000}, "frames",
+    visit("latency_frames", self.latency_frames, {0, 1000}, "frames",
           "propagate: masks come just so many frames after their image, for runs that repeat; 0 = once they are ready");
     segmentation::InstanceTrackerOptions::describe(self.tracker, visit);
   }
@@ -34,12 +34,12 @@ struct MaskFeedOptions {
 ///  - Propagate: the segmenter works behind, on the newest image whenever it is free. Its newest masks are carried to
 ///    the frame (segmentation::carryMasks). Only those of the first frame are waited for: a map begins with it.
 /// In both, instances keep their ids over time, and what the segmenter misses stays for a while
-/// (segmentation::InstanceTracker; not with bridge = 0 in Wait).
+/// (segmentation::InstanceTracker; not with bridge_s = 0 in Wait).
 class MaskFeed {
  public:
   virtual ~MaskFeed() = default;
 
-  /// The images of the next frame are there. Does not block, unless `latency` asks for it.
+  /// The images of the next frame are there. Does not block, unless `latency_frames` asks for it.
   virtual void begin(const core::Frame& frame) = 0;
 
   /// After begin(): sets Frame::segmentation, which stays empty where there are no masks, and its age. Masks of

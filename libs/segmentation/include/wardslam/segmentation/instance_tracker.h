@@ -13,7 +13,7 @@ struct InstanceTrackerOptions {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("bridge", self.bridge_s, {0.0, 60.0}, "s",
+    visit("bridge_s", self.bridge_s, {0.0, 60.0}, "s",
           "what the segmenter misses stays for so long, though no longer than it was seen before; 0 = not at all");
   }
 };
