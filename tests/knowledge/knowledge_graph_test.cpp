@@ -89,6 +89,38 @@ TEST(KnowledgeGraph, TellsTheFactsAboutAnEntity) {
   EXPECT_EQ(graph.facts().size(), 3U);
 }
 
+TEST(KnowledgeGraph, AFactMayHaveStrengthAndReach) {
+  const KnowledgeGraph graph = graphOf(
+      wardWith("[cup, can_be_moved_by, people]", "[cup, can_be_moved_by, people, {strength: 0.8, reach: 0.25}]"));
+  const Bond bond = graph.bond("cup", kCanBeMovedBy, "visitor");
+  EXPECT_DOUBLE_EQ(bond.strength, 0.8);
+  EXPECT_DOUBLE_EQ(bond.reach_m, 0.25);
+  EXPECT_DOUBLE_EQ(graph.facts()[1].bond.strength, 0.8);
+  EXPECT_DOUBLE_EQ(graph.factsAbout("visitor").back().bond.reach_m, 0.25);
+
+  EXPECT_DOUBLE_EQ(graph.bond("trolley", kCanBeMovedBy, "health_care_personnel").strength, Bond{}.strength)
+      << "not given: the default";
+  EXPECT_DOUBLE_EQ(graph.bond("trolley", kCanBeMovedBy, "visitor").strength, 0.0) << "no such fact";
+  EXPECT_THROW(static_cast<void>(graph.bond("trolly", kCanBeMovedBy, "visitor")), core::InputError);
+}
+
+TEST(KnowledgeGraph, TheLastFactOverrulesEarlierOnes) {
+  const KnowledgeGraph graph = graphOf(std::string(kWard) +
+                                       "  - [cup, can_be_moved_by, visitor, {strength: 0.9}]\n"
+                                       "  - [movable, can_be_moved_by, health_care_personnel, {reach: 0.7}]\n");
+  EXPECT_DOUBLE_EQ(graph.bond("cup", kCanBeMovedBy, "visitor").strength, 0.9);
+  EXPECT_DOUBLE_EQ(graph.bond("cup", kCanBeMovedBy, "visitor").reach_m, Bond{}.reach_m);
+  EXPECT_DOUBLE_EQ(graph.bond("cup", kCanBeMovedBy, "health_care_personnel").reach_m, 0.7);
+  EXPECT_DOUBLE_EQ(graph.bond("trolley", kCanBeMovedBy, "health_care_personnel").reach_m, 0.7);
+}
+
+TEST(KnowledgeGraph, TellsItsSetsAsWritten) {
+  const KnowledgeGraph graph = graphOf(kWard);
+  EXPECT_THAT(graph.sets(), ElementsAre("equipment", "movable", "moving", "people", "static"));
+  EXPECT_THAT(graph.contents("movable"), ElementsAre("equipment", "cup"));
+  EXPECT_THROW(static_cast<void>(graph.contents("cup")), core::InputError) << "an entity is not a set";
+}
+
 TEST(KnowledgeGraph, MapsLabelsToEntitiesBothWays) {
   const KnowledgeGraph graph = graphOf(kWard);
   EXPECT_THAT(graph.entitiesOf("person"), ElementsAre("health_care_personnel", "visitor"));
@@ -170,6 +202,11 @@ INSTANTIATE_TEST_SUITE_P(
                 {"ward.yaml:14", "'moving' is the name of"}},
         Mistake{"UnknownKey", "facts:", "fact:", {"ward.yaml:15", "unknown key", "did you mean 'facts'"}},
         Mistake{"FactOfTwoParts", "[cup, can_be_moved_by, people]", "[cup, people]", {"ward.yaml:17", "three parts"}},
+        Mistake{"FactOfFiveParts", "by, people]", "by, people, {}, {}]", {"ward.yaml:17", "three parts"}},
+        Mistake{
+            "StrengthTooHigh", "by, people]", "by, people, {strength: 1.5}]", {"ward.yaml:17", "strength", "[0, 1]"}},
+        Mistake{"BondMisspelt", "by, people]", "by, people, {strenght: 1}]", {"ward.yaml:17", "'strength'"}},
+        Mistake{"BondIsNoMapping", "by, people]", "by, people, 0.8]", {"ward.yaml:17", "mapping"}},
         Mistake{"FactIsNoList", "[cup, can_be_moved_by, people]", "cup", {"ward.yaml:17", "a list"}},
         Mistake{"LabelsAreNoList", "trolley: [trolley]", "trolley: trolley", {"ward.yaml:6", "a list"}},
         Mistake{"LabelWithoutName", "trolley: [trolley]", "trolley: [[]]", {"ward.yaml:6", "a name is expected"}},
@@ -202,6 +239,22 @@ TEST(HospitalKnowledge, SaysWhatThePaperSaysOfTheWard) {
   EXPECT_EQ(graph.mobility("bed"), Mobility::Static);
   EXPECT_EQ(graph.mobility("stationary_medical_equipment"), Mobility::Static);
   EXPECT_FALSE(graph.canBeMovedBy("temperature_gun", "visitor"));
+}
+
+TEST(HospitalKnowledge, TellsHowLikelyAndFromHowNear) {
+  const KnowledgeGraph graph = KnowledgeGraph::fromFile(core::findDataFile("knowledge/hospital.yaml"));
+  const auto bond = [&](const char* thing) { return graph.bond(thing, kCanBeMovedBy, "health_care_personnel"); };
+  EXPECT_GT(bond("temperature_gun").strength, bond("chair").strength) << "held in the hand whenever somebody is near";
+  EXPECT_GT(bond("chair").strength, bond("bedside_cabinet").strength);
+  EXPECT_GT(bond("trolley").reach_m, bond("cup").reach_m) << "pushed at arm's length";
+}
+
+TEST(DowntownKnowledge, KnowsThatVehiclesMoveByThemselves) {
+  const KnowledgeGraph graph = KnowledgeGraph::fromFile(core::findDataFile("knowledge/downtown.yaml"));
+  EXPECT_TRUE(graph.isMoving("car"));
+  EXPECT_TRUE(graph.canBeMovedBy("bicycle", "pedestrian"));
+  EXPECT_FALSE(graph.canBeMovedBy("bicycle", "car"));
+  EXPECT_EQ(graph.mobility("traffic_light"), Mobility::Static);
 }
 
 TEST(LivingRoomKnowledge, IsConsistent) {

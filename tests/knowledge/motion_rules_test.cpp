@@ -54,6 +54,22 @@ TEST(MotionRules, ALabelCanWhatOneOfItsEntitiesCan) {
   EXPECT_EQ(rules.movers(kChair).count(), 2U);
 }
 
+TEST(MotionRules, ALabelHasTheStrongestAndFarthestBondOfItsEntities) {
+  const MotionRules rules = rulesOf(R"(
+entities: {nurse: [person], visitor: [person], cup: [cup], glass: [cup], bed: [bed]}
+sets: {moving: [nurse, visitor], movable: [cup, glass], static: [bed]}
+relations: [can_be_moved_by]
+facts:
+  - [cup, can_be_moved_by, nurse, {strength: 0.9, reach: 0.1}]
+  - [cup, can_be_moved_by, visitor, {strength: 0.2, reach: 0.4}]
+  - [glass, can_be_moved_by, nurse, {strength: 0.3, reach: 0.2}]
+)");
+  EXPECT_DOUBLE_EQ(rules.bond(kCup, kPerson).strength, 0.9);
+  EXPECT_DOUBLE_EQ(rules.bond(kCup, kPerson).reach_m, 0.4);
+  EXPECT_DOUBLE_EQ(rules.bond(kBed, kPerson).strength, 0.0);
+  EXPECT_DOUBLE_EQ(rules.bond(kPerson, kCup).strength, 0.0);
+}
+
 TEST(MotionRules, WhatTheGraphDoesNotKnowIsStatic) {
   const MotionRules rules = rulesOf(kRoom);
   for (const auto c : std::initializer_list<core::ClassId>{0, 2, 80, 100, 255}) {

@@ -35,6 +35,8 @@ KnowledgeGraph KnowledgeGraph::fromConfig(const core::ConfigNode& root) { return
 
 std::vector<std::string> KnowledgeGraph::entities() const { return keysOf(entities_); }
 
+std::vector<std::string> KnowledgeGraph::sets() const { return keysOf(contents_); }
+
 const KnowledgeGraph::Entity& KnowledgeGraph::at(const std::string& entity) const {
   return find(entities_, entity, "entity");
 }
@@ -51,13 +53,25 @@ bool KnowledgeGraph::holds(const std::string& head, const std::string& relation,
   return expanded_.count({head, relation, tail}) > 0;
 }
 
+Bond KnowledgeGraph::bond(const std::string& head, const std::string& relation, const std::string& tail) const {
+  static_cast<void>(at(head));
+  static_cast<void>(at(tail));
+  const auto found = expanded_.find({head, relation, tail});
+  return found == expanded_.end() ? Bond{0.0, 0.0} : found->second;
+}
+
 std::vector<Fact> KnowledgeGraph::factsAbout(const std::string& entity) const {
   static_cast<void>(at(entity));
   std::vector<Fact> about;
-  for (const auto& [head, relation, tail] : expanded_) {
-    if (head == entity || tail == entity) about.push_back({head, relation, tail});
+  for (const auto& [names, bond] : expanded_) {
+    const auto& [head, relation, tail] = names;
+    if (head == entity || tail == entity) about.push_back({head, relation, tail, bond});
   }
   return about;
+}
+
+const std::vector<std::string>& KnowledgeGraph::contents(const std::string& set) const {
+  return find(contents_, set, "set");
 }
 
 const std::set<std::string>& KnowledgeGraph::members(const std::string& setOrEntity) const {

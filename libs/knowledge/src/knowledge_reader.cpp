@@ -103,6 +103,7 @@ const std::set<std::string>& KnowledgeReader::expand(const std::string& name, Na
   }
   path.push_back(name);
   std::set<std::string> members;
+  graph_.contents_[name] = namesIn(node);
   for (const ConfigNode& item : itemsOf(node)) {
     const std::string member = textOf(item);
     requireKnown(member, item);
@@ -149,7 +150,7 @@ void KnowledgeReader::readFacts() {
     if (fact.relation == kCanBeMovedBy) checkMove(fact, node);
     for (const std::string& head : graph_.members_.at(fact.head)) {
       for (const std::string& tail : graph_.members_.at(fact.tail)) {
-        graph_.expanded_.emplace(head, fact.relation, tail);
+        graph_.expanded_[{head, fact.relation, tail}] = fact.bond;
       }
     }
     graph_.facts_.push_back(fact);
@@ -157,8 +158,11 @@ void KnowledgeReader::readFacts() {
 }
 
 Fact KnowledgeReader::readFact(const ConfigNode& node) const {
-  const Names parts = namesIn(node);
-  if (parts.size() != 3) node.fail("a fact has three parts: [head, relation, tail]");
+  const auto items = itemsOf(node);
+  if (items.size() < 3 || items.size() > 4) {
+    node.fail("a fact has three parts, and strength and reach if wanted: [head, relation, tail, {strength: 0.5}]");
+  }
+  const Names parts = {textOf(items[0]), textOf(items[1]), textOf(items[2])};
   requireKnown(parts[0], node);
   requireKnown(parts[2], node);
   const Names& relations = graph_.relations_;
@@ -167,7 +171,9 @@ Fact KnowledgeReader::readFact(const ConfigNode& node) const {
     node.fail("unknown relation '" + parts[1] + "'" +
               (nearest.empty() ? "; list it under 'relations'" : "; did you mean '" + nearest + "'?"));
   }
-  return {parts[0], parts[1], parts[2]};
+  Fact fact{parts[0], parts[1], parts[2], {}};
+  if (items.size() == 4) core::readOptions(items[3], fact.bond);
+  return fact;
 }
 
 void KnowledgeReader::checkMove(const Fact& fact, const ConfigNode& node) const {
