@@ -20,7 +20,7 @@ struct Detection {
 };
 
 std::optional<Detection> readRow(const cv::Mat& rows, int row, int classes, const LabelMap& labels, double confidence) {
-  const float* values = rows.ptr<float>(row);
+  const auto* values = rows.ptr<float>(row);
   const bool isFinite = std::all_of(values, values + kValues, [](float value) { return std::isfinite(value); });
   if (!isFinite || values[Score] < confidence || values[Class] < 0.0F || values[Class] >= static_cast<float>(classes)) {
     return std::nullopt;

@@ -37,9 +37,9 @@ std::optional<int> classesOf(const std::vector<cv::Mat>& outputs) {
 MaskRcnnSegmenter::MaskRcnnSegmenter(const MaskRcnnOptions& options, const fs::path& classesFile, Backend backend)
     : MaskRcnnSegmenter(options, openNetwork(sourceOf(options, backend)), sourceOf(options, backend), classesFile) {}
 
-MaskRcnnSegmenter::MaskRcnnSegmenter(const MaskRcnnOptions& options, OpenedNetwork opened, const NetworkSource& source,
+MaskRcnnSegmenter::MaskRcnnSegmenter(MaskRcnnOptions options, OpenedNetwork opened, const NetworkSource& source,
                                      const fs::path& classesFile)
-    : options_(options), network_(std::move(opened.network)) {
+    : options_(std::move(options)), network_(std::move(opened.network)) {
   const cv::Mat blank(kTrialHeight_px, kTrialWidth_px, CV_8UC3, cv::Scalar::all(0));
   const auto outputs = tryNetwork(*network_, blobOf(blank), source);
   const auto classes = classesOf(outputs);

@@ -44,7 +44,7 @@ std::vector<cv::Mat> scorePlanes(const cv::Mat& output, const SemanticLayout& la
 class BestOf {
  public:
   explicit BestOf(const cv::Size& size)
-      : score_(size, CV_32F, cv::Scalar(-std::numeric_limits<float>::infinity())),
+      : score_(size, CV_32F, cv::Scalar(-std::numeric_limits<double>::infinity())),
         index_(size, CV_32F, cv::Scalar(0)) {}
 
   void add(const cv::Mat& scores, int index) {
@@ -78,7 +78,7 @@ cv::Mat bestClasses(const std::vector<cv::Mat>& planes, const cv::Matx23d& fromI
 
 std::optional<SemanticLayout> SemanticLayout::fromShape(const std::vector<int>& shape, const cv::Size& input_px) {
   const bool isSound = (shape.size() == 3 || shape.size() == 4) && shape[0] == 1 &&
-                       std::all_of(shape.begin(), shape.end(), [](int size) { return size > 0; });
+                       std::all_of(shape.begin(), shape.end(), [](int extent) { return extent > 0; });
   if (!isSound) return std::nullopt;
   if (shape.size() == 3) return SemanticLayout{Kind::ClassMap, 0, {shape[2], shape[1]}};
   if (shape[1] == 1) return SemanticLayout{Kind::ClassMap, 0, {shape[3], shape[2]}};

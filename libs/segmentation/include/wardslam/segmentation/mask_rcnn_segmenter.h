@@ -33,7 +33,7 @@ class MaskRcnnSegmenter : public Segmenter {
                              Backend backend = Backend::OpenCv);
 
   /// With a network that is open already; `source` is for error messages.
-  MaskRcnnSegmenter(const MaskRcnnOptions& options, OpenedNetwork opened, const NetworkSource& source,
+  MaskRcnnSegmenter(MaskRcnnOptions options, OpenedNetwork opened, const NetworkSource& source,
                     const std::filesystem::path& classesFile = {});
 
   [[nodiscard]] Result segment(const cv::Mat& color_bgr, double stamp_s) override;
