@@ -2,6 +2,7 @@
 
 #include "config_command.h"
 #include "eval_command.h"
+#include "knowledge_command.h"
 #include "models_command.h"
 #include "run_command.h"
 #include "support/command_line.h"
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
     addEvalCommand(app);
     addConfigCommand(app);
     addModelsCommand(app);
+    addKnowledgeCommand(app);
     return parseCommandLine(app, argc, argv).value_or(kSuccess);
   });
 }
