@@ -103,7 +103,7 @@ Neighbourhood around(const PlacedTrack& track, const std::vector<PlacedTrack>& a
 std::vector<Seed> seedsOf(const std::vector<PlacedTrack>& tracks, const cv::Mat& appeared, const cv::Mat& same,
                           const MovingRegionsOptions& options) {
   constexpr int kWitnesses = 3;
-  constexpr double kMayBeInterior_m = 0.25;  // a slow thing's inside looks as it did before
+  const double mayBeInterior_m = options.growth.reach_m / 2;  // a slow thing's inside looks as it did before
   std::vector<Seed> seeds;
   for (const PlacedTrack& track : tracks) {
     const auto [logOdds, moving] = around(track, tracks, options.strict_log_odds);
@@ -117,7 +117,7 @@ std::vector<Seed> seedsOf(const std::vector<PlacedTrack>& tracks, const cv::Mat&
     for (int column = 0; column < appeared.cols; ++column) {
       const cv::Point cell(column, row);
       if (appeared.at<std::uint8_t>(cell) != 0) seeds.push_back({cell, true});
-      if (same.at<std::uint8_t>(cell) != 0) seeds.push_back({cell, false, kMayBeInterior_m});
+      if (same.at<std::uint8_t>(cell) != 0) seeds.push_back({cell, false, mayBeInterior_m});
     }
   }
   return seeds;

@@ -31,7 +31,7 @@ struct GeometricMotionOptions {
 ///         params:
 ///           points: 500
 ///           window: 0.5
-///           reach: 0.5
+///           reach: 0.4
 ///
 /// Needs neither masks nor knowledge. Behind a filter that does, it only adds to what was marked, and takes what was
 /// marked for moving when it looks for the motion of the camera. Events: "filters.motion_unknown" (the motion of the

@@ -13,7 +13,7 @@ struct Seed {
 };
 
 struct RegionGrowthOptions {
-  double reach_m = 0.5;
+  double reach_m = 0.4;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
