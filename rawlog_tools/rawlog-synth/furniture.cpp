@@ -19,7 +19,8 @@ Mesh bar(const Vector3f& a, const Vector3f& b, float radius) {
 
 Mesh posterPanel(int poster, const Vector3f& origin, const Vector3f& u, const Vector3f& v) {
   const Vector2f cell(1.0F / kPosterColumns, 1.0F / kPosterRows);
-  const Vector2f place(static_cast<float>(poster % kPosterColumns), static_cast<float>(poster / kPosterColumns));
+  const int row = poster / kPosterColumns;
+  const Vector2f place(static_cast<float>(poster % kPosterColumns), static_cast<float>(row));
   return panel(origin, u, v).mapUv(place.cwiseProduct(cell), cell);
 }
 

@@ -39,7 +39,7 @@ Vector3f loftNormal(const std::vector<Ring>& rings, std::size_t i, float angle) 
   const float dr = (above.radius_x_m - below.radius_x_m + above.radius_y_m - below.radius_y_m) / 2;
   const float rx = std::max(rings[i].radius_x_m, 1e-4F);
   const float ry = std::max(rings[i].radius_y_m, 1e-4F);
-  const Vector3f across = Vector3f(std::cos(angle) / rx, std::sin(angle) / ry, 0.0F).normalized();
+  Vector3f across = Vector3f(std::cos(angle) / rx, std::sin(angle) / ry, 0.0F).normalized();
   const float length = std::hypot(dz, dr);
   if (length < 1e-6F) return across;
   return (across * dz / length - Vector3f::UnitZ() * dr / length).normalized() * (dz < 0 ? -1.0F : 1.0F);

@@ -23,9 +23,9 @@ struct Mesh {
 
 /// Cross-section of a loft: an ellipse parallel to the xy plane.
 struct Ring {
-  float z_m;
-  float radius_x_m;
-  float radius_y_m;
+  float z_m = 0.0F;
+  float radius_x_m = 0.0F;
+  float radius_y_m = 0.0F;
   float x_m = 0.0F;  ///< Centre.
 };
 

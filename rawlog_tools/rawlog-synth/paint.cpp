@@ -47,7 +47,7 @@ void scuff(cv::Mat& image, int count, double length_px, cv::RNG& rng) {
   }
 }
 
-void printLines(cv::Mat image, int lineHeight_px, const cv::Scalar& colour, cv::RNG& rng) {
+void printLines(const cv::Mat& image, int lineHeight_px, const cv::Scalar& colour, cv::RNG& rng) {
   for (int y = lineHeight_px / 2; y + lineHeight_px / 2 < image.rows; y += lineHeight_px) {
     for (int x = 0; x < image.cols;) {
       const int word_px = rng.uniform(lineHeight_px / 2, 3 * lineHeight_px);

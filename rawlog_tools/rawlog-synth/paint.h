@@ -22,7 +22,7 @@ void light(cv::Mat& image, const cv::Mat& pattern);
 void scuff(cv::Mat& image, int count, double length_px, cv::RNG& rng);
 
 /// Lines of dashes that look like print.
-void printLines(cv::Mat image, int lineHeight_px, const cv::Scalar& colour, cv::RNG& rng);
+void printLines(const cv::Mat& image, int lineHeight_px, const cv::Scalar& colour, cv::RNG& rng);
 
 /// Writes the text as large as fits, centred.
 void title(cv::Mat image, const std::string& text, const cv::Scalar& colour);

@@ -145,6 +145,8 @@ std::unique_ptr<gl::CFBORender> makeTarget(const cv::Size& size_px, bool ownCont
 
 struct Renderer::Impl {
   Impl(const Scene& renderedScene, const core::CameraModel& model);
+  void addThings();
+  void addActor(const Actor& actor);
   void placeActors(double t_s);
   void sortForBlending(const Eigen::Isometry3d& T_world_cam);
   void aim(gl::CFBORender& target, const gl::COpenGLScene& what, const cv::Size& targetSize_px,
@@ -180,6 +182,13 @@ Renderer::Impl::Impl(const Scene& renderedScene, const core::CameraModel& model)
       numberTarget(makeTarget(size_px, false)) {
   prepare(colors, 0.74F, 0.36F);
   prepare(numbers, 1.0F, 0.0F);
+  addThings();
+  for (const auto& actor : scene.actors) addActor(*actor);
+  for (const auto& set : opaque) colors.insert(set);
+  colors.insert(shadows);
+}
+
+void Renderer::Impl::addThings() {
   std::map<Material, gl::CSetOfTexturedTriangles::Ptr> byMaterial;
   auto flat = gl::CSetOfTriangles::Create();
   for (const Thing& thing : scene.things) {
@@ -191,20 +200,20 @@ Renderer::Impl::Impl(const Scene& renderedScene, const core::CameraModel& model)
     }
   }
   for (const auto& [material, set] : byMaterial) opaque.push_back(set);
-  staticTriangles = triangles.size();
   numbers.insert(flat);
-  for (const auto& actor : scene.actors) {
-    ActorModel actorModel;
-    for (const Surface& surface : actor->surfacesAt(0.0)) {
-      actorModel.surfaces.push_back(texturedSet(scene.textures.at(surface.material)));
-      opaque.push_back(actorModel.surfaces.back());
-    }
-    actorModel.flat = gl::CSetOfTriangles::Create();
-    numbers.insert(actorModel.flat);
-    actors.push_back(std::move(actorModel));
+  staticTriangles = triangles.size();
+}
+
+/// Empty sets with the actor's textures; placeActors() fills them.
+void Renderer::Impl::addActor(const Actor& actor) {
+  ActorModel actorModel;
+  for (const Surface& surface : actor.surfacesAt(0.0)) {
+    actorModel.surfaces.push_back(texturedSet(scene.textures.at(surface.material)));
+    opaque.push_back(actorModel.surfaces.back());
   }
-  for (const auto& set : opaque) colors.insert(set);
-  colors.insert(shadows);
+  actorModel.flat = gl::CSetOfTriangles::Create();
+  numbers.insert(actorModel.flat);
+  actors.push_back(std::move(actorModel));
 }
 
 void Renderer::Impl::placeActors(double t_s) {

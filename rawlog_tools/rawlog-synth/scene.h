@@ -14,7 +14,7 @@
 namespace wardslam::synth {
 
 struct Surface {
-  Material material;
+  Material material = Material::Plastic;
   Mesh mesh;
 };
 using Surfaces = std::vector<Surface>;

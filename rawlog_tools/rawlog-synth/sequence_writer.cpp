@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
+#include <utility>
 
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kRangeUnits_m = 0.001;
+constexpr const char* kGroundTruth = "groundtruth.txt";  // until it gets its name beside the rawlog
 constexpr const char* kLabelFolders[] = {"masks", "instances", "dynamic"};
 
 fs::path withSuffix(const fs::path& rawlog, const std::string& suffix) {
@@ -75,7 +77,8 @@ std::string objectsText(const std::vector<StaticObject>& objects) {
   return text.str();
 }
 
-void prepareLabelsFolder(const fs::path& finalFolder) {
+/// Makes the partial folder, empty but for the folders of images; returns the name it will have.
+fs::path prepareLabelsFolder(const fs::path& finalFolder) {
   if (fs::exists(finalFolder) && !fs::exists(finalFolder / "objects.csv")) {
     throw core::InputError(finalFolder.string() + ": is there already and was not made by this program; move it away");
   }
@@ -85,6 +88,7 @@ void prepareLabelsFolder(const fs::path& finalFolder) {
     fs::create_directories(partial(finalFolder) / folder, error);
     if (error) throw core::InputError(partial(finalFolder).string() + ": cannot be created: " + error.message());
   }
+  return finalFolder;
 }
 
 std::string stampText(double stamp_s) {
@@ -132,26 +136,31 @@ fs::path labelsFolder(const fs::path& rawlog) { return withSuffix(rawlog, "_labe
 struct SequenceWriter::Impl {
   Impl(fs::path rawlogFile, const core::CameraModel& model, std::vector<Label> allLabels)
       : rawlog(std::move(rawlogFile)),
-        labelled(labelsFolder(rawlog)),
         camera(core::toMrpt(model)),
         labels(std::move(allLabels)),
         classOf(classTable(labels)),
         observations(rawlog, sources::ImageCoding::Jpeg),
-        groundTruth(groundTruthFile(rawlog)) {}
+        labelled(prepareLabelsFolder(labelsFolder(rawlog))),
+        groundTruth(partial(labelled) / kGroundTruth) {}
+
+  ~Impl() {
+    std::error_code ignored;
+    fs::remove_all(partial(labelled), ignored);  // there only when it was not finished
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
   fs::path rawlog;
-  fs::path labelled;
   mrpt::img::TCamera camera;
   std::vector<Label> labels;
   std::vector<core::ClassId> classOf;
   sources::RawlogWriter observations;
+  fs::path labelled;
   storage::TumTrajectoryWriter groundTruth;
 };
 
-SequenceWriter::SequenceWriter(fs::path rawlog, const core::CameraModel& camera, std::vector<Label> labels)
-    : impl_(std::make_unique<Impl>(std::move(rawlog), camera, std::move(labels))) {
-  prepareLabelsFolder(impl_->labelled);
-}
+SequenceWriter::SequenceWriter(const fs::path& rawlog, const core::CameraModel& camera, std::vector<Label> labels)
+    : impl_(std::make_unique<Impl>(rawlog, camera, std::move(labels))) {}
 
 SequenceWriter::~SequenceWriter() = default;
 
@@ -167,12 +176,14 @@ void SequenceWriter::write(const SequenceFrame& frame) {
 }
 
 void SequenceWriter::finish(const std::vector<StaticObject>& objects) {
-  core::writeFileAtomically(partial(impl_->labelled) / "classes.txt", classesText(impl_->labels));
-  core::writeFileAtomically(partial(impl_->labelled) / "objects.csv", objectsText(objects));
+  const fs::path folder = partial(impl_->labelled);
+  core::writeFileAtomically(folder / "classes.txt", classesText(impl_->labels));
+  core::writeFileAtomically(folder / "objects.csv", objectsText(objects));
+  impl_->groundTruth.finish();
+  giveName(folder / kGroundTruth, groundTruthFile(impl_->rawlog));
   std::error_code error;
   fs::remove_all(impl_->labelled, error);
-  giveName(partial(impl_->labelled), impl_->labelled);
-  impl_->groundTruth.finish();
+  giveName(folder, impl_->labelled);
   impl_->observations.commit();
 }
 

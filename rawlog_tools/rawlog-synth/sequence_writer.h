@@ -35,12 +35,14 @@ struct StaticObject {
 ///   FILE.groundtruth.txt  TUM format, T_world_cam (optical)
 ///   FILE_labels/          masks/ (8-bit class ids), instances/ (16-bit), dynamic/ (255 = moving), each <stamp>.png;
 ///                         classes.txt; objects.csv
-/// All appears under a ".partial" name first; finish() gives everything its name at once.
+/// All appears under ".partial" names first; finish() gives everything its name at once. Without it nothing is left.
 class SequenceWriter {
  public:
   /// Throws core::InputError when something cannot be created, or when FILE_labels exists and is not such a folder.
-  SequenceWriter(std::filesystem::path rawlog, const core::CameraModel& camera, std::vector<Label> labels);
+  SequenceWriter(const std::filesystem::path& rawlog, const core::CameraModel& camera, std::vector<Label> labels);
   ~SequenceWriter();
+  SequenceWriter(const SequenceWriter&) = delete;
+  SequenceWriter& operator=(const SequenceWriter&) = delete;
 
   /// Throws core::InputError when the disk does not take it.
   void write(const SequenceFrame& frame);

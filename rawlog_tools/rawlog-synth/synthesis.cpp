@@ -90,8 +90,8 @@ std::size_t synthesise(const std::filesystem::path& rawlog, const SynthesisOptio
                        const std::function<bool(std::size_t)>& goOn) {
   const core::CameraModel camera = cameraFor(options.width_px, options.height_px);
   const Scene scene = buildWard(options.ward);
-  SequenceWriter writer(rawlog, camera, allLabels(scene));
   Renderer renderer(scene, camera);
+  SequenceWriter writer(rawlog, camera, allLabels(scene));
 
   const std::size_t total = frameCount(options);
   std::size_t done = 0;

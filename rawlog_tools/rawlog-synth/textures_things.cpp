@@ -9,12 +9,13 @@ namespace wardslam::synth {
 namespace {
 
 constexpr int kSize_px = 512;
+constexpr std::size_t kPosters = std::size_t{kPosterColumns} * kPosterRows;
 const cv::Size kSquare(kSize_px, kSize_px);
 
-const std::array<std::string, kPosterColumns* kPosterRows> kTitles = {
-    "WASH YOUR HANDS", "STOP THE FLU", "VISITING HOURS", "WARD B",      "BED 1",     "BED 2",
-    "BED 3",           "BED 4",        "BED 5",          "PAIN SCALE",  "FIRE EXIT", "MENU",
-    "FALL RISK",       "BLOOD DRIVE",  "YOUR TEAM",      "QUIET PLEASE"};
+const std::array<std::string, kPosters> kTitles = {"WASH YOUR HANDS", "STOP THE FLU", "VISITING HOURS", "WARD B",
+                                                   "BED 1",           "BED 2",        "BED 3",          "BED 4",
+                                                   "BED 5",           "PAIN SCALE",   "FIRE EXIT",      "MENU",
+                                                   "FALL RISK",       "BLOOD DRIVE",  "YOUR TEAM",      "QUIET PLEASE"};
 
 void paintFigure(cv::Mat area, cv::RNG& rng) {
   const int kind = rng.uniform(0, 3);

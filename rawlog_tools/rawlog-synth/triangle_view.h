@@ -33,7 +33,7 @@ class TriangleList {
  private:
   struct Triangle {
     std::array<Eigen::Vector3f, 3> corners_m;
-    std::uint16_t instanceId;
+    std::uint16_t instanceId = 0;
   };
   std::vector<Triangle> triangles_;
 };

@@ -145,9 +145,9 @@ void WardBuilder::addCorner() {
 
 void WardBuilder::addPictures() {
   struct Place {
-    int poster;
-    float width_m;
-    Isometry3f T;
+    int poster = 0;
+    float width_m = 0.5F;
+    Isometry3f T = Isometry3f::Identity();
   };
   const float l = room_.length_m;
   const float w = room_.width_m;

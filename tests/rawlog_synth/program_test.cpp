@@ -28,8 +28,9 @@ namespace fs = std::filesystem;
 using Scan = mrpt::obs::CObservation3DRangeScan;
 
 /// The program's exit code. Leaks within Mesa are not this project's.
-int run(const std::string& arguments) {
-  const std::string command = "ASAN_OPTIONS=detect_leaks=0 " RAWLOG_SYNTH " " + arguments + " 2>/dev/null";
+int run(const std::string& arguments, const std::string& environment = "") {
+  const std::string command =
+      "ASAN_OPTIONS=detect_leaks=0 " + environment + " " RAWLOG_SYNTH " " + arguments + " >/dev/null 2>&1";
   return WEXITSTATUS(std::system(command.c_str()));  // NOLINT(cert-env33-c)
 }
 
@@ -193,7 +194,14 @@ TEST(RawlogSynth, LeavesForeignFoldersAlone) {
   std::ofstream(folder.path() / "w_labels/thesis.txt") << "mine";
   EXPECT_EQ(run("-o " + (folder.path() / "w.rawlog").string() + " --seconds 0.03"), 1);
   EXPECT_TRUE(fs::exists(folder.path() / "w_labels/thesis.txt"));
-  EXPECT_FALSE(fs::exists(folder.path() / "w.rawlog"));
+  EXPECT_EQ(contentOf(folder.path()).size(), 1U) << "nothing was added";
+}
+
+TEST(RawlogSynth, SaysWhatIsMissingWhereNothingCanBeRendered) {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder.path() / "w.rawlog").string();
+  EXPECT_EQ(run("-o " + output, "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"), 1);
+  EXPECT_TRUE(contentOf(folder.path()).empty());
 }
 
 }  // namespace
