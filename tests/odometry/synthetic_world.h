@@ -20,14 +20,31 @@ struct Noise {
   int descriptorBits = 0;        ///< Bits of each descriptor that flip.
 };
 
-/// Points strewn in front of the start, each with a descriptor of its own, and exact views of them.
+/// Points strewn over a box (if nothing else is said: in front of the start), each with a descriptor of its own, and
+/// exact views of them.
 class SyntheticWorld {
  public:
-  explicit SyntheticWorld(std::size_t points = 3000, unsigned seed = 1) : random_(seed) {
+  explicit SyntheticWorld(std::size_t points = 3000, unsigned seed = 1,
+                          const Eigen::Vector3d& centre_m = {0.0, 0.0, 3.5},
+                          const Eigen::Vector3d& halfSize_m = {4.0, 2.5, 2.3})
+      : random_(seed) {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     for (std::size_t i = 0; i < points; ++i) {
-      points_.push_back({{4.0 * unit(random_), 2.5 * unit(random_), 3.5 + 2.3 * unit(random_)}, randomDescriptor()});
+      const Eigen::Vector3d inUnitBox{unit(random_), unit(random_), unit(random_)};
+      points_.push_back({centre_m + halfSize_m.cwiseProduct(inUnitBox), randomDescriptor()});
     }
+  }
+
+  [[nodiscard]] const Eigen::Vector3d& p_world_m(std::size_t point) const { return points_[point].p_world_m; }
+
+  /// The point behind each key point of look().
+  [[nodiscard]] std::vector<std::size_t> inSight(const Eigen::Isometry3d& T_world_cam) const {
+    const Eigen::Isometry3d T_cam_world = T_world_cam.inverse();
+    std::vector<std::size_t> points;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (pixelOf(T_cam_world * points_[i].p_world_m)) points.push_back(i);
+    }
+    return points;
   }
 
   /// The points in sight, farther than half a metre, as key points in the order of the points.
@@ -79,14 +96,20 @@ class SyntheticWorld {
     odometry::OrbDescriptor descriptor;
   };
 
-  [[nodiscard]] std::optional<core::Keypoint> see(const Eigen::Vector3d& p_cam_m, const Noise& noise) {
+  [[nodiscard]] static std::optional<Eigen::Vector2d> pixelOf(const Eigen::Vector3d& p_cam_m) {
     if (p_cam_m.z() < 0.5) return std::nullopt;
     const Eigen::Vector2d px = camera().project(p_cam_m);
     if (px.x() < 0 || px.x() > 639 || px.y() < 0 || px.y() > 479) return std::nullopt;
+    return px;
+  }
+
+  [[nodiscard]] std::optional<core::Keypoint> see(const Eigen::Vector3d& p_cam_m, const Noise& noise) {
+    const auto px = pixelOf(p_cam_m);
+    if (!px) return std::nullopt;
     std::normal_distribution<double> normal;
     core::Keypoint keypoint;
-    keypoint.undistorted_px = {static_cast<float>(px.x() + noise.pixel_px * normal(random_)),
-                               static_cast<float>(px.y() + noise.pixel_px * normal(random_))};
+    keypoint.undistorted_px = {static_cast<float>(px->x() + noise.pixel_px * normal(random_)),
+                               static_cast<float>(px->y() + noise.pixel_px * normal(random_))};
     keypoint.raw_px = keypoint.undistorted_px;
     const double sigma_m = noise.depthSigmaScale * odometry::kinectDepthSigma_m(p_cam_m.z());
     keypoint.depth_m = static_cast<float>(p_cam_m.z() + sigma_m * normal(random_));

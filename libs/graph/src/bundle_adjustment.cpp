@@ -50,21 +50,16 @@ class AdjustmentProblem {
 
   void solve(int maxIterations, const std::atomic<bool>* stop) {
     ceres::Problem problem;
-    auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
     for (Edge& edge : edges_) addResidual(edge, problem);
-    for (auto& [id, point] : points_) {
-      if (problem.HasParameterBlock(point.data())) ordering->AddElementToGroup(point.data(), 0);
-    }
-    for (auto& [id, pose] : poses_) {
-      if (!problem.HasParameterBlock(pose.data())) continue;
-      ordering->AddElementToGroup(pose.data(), 1);
-      if (fixed_.count(id) != 0) problem.SetParameterBlockConstant(pose.data());
+    for (const KeyframeId id : fixed_) {
+      double* pose = poses_.at(id).data();
+      if (problem.HasParameterBlock(pose)) problem.SetParameterBlockConstant(pose);
     }
     if (problem.NumResidualBlocks() == 0) return;
     ceres::Solver::Options solver;
     const bool isSmall = poses_.size() <= kMaxDensePoses;
     solver.linear_solver_type = isSmall ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
-    solver.linear_solver_ordering = ordering;
+    // Ceres finds out itself what to eliminate: an order given by hand is one of addresses, other in every run.
     solver.max_num_iterations = maxIterations;
     solver.function_tolerance = 1e-4;
     solver.logging_type = ceres::SILENT;

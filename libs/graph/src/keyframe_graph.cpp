@@ -11,7 +11,8 @@ void KeyframeGraph::insert(const std::shared_ptr<const odometry::Keyframe>& keyf
   if (previous != keyframes_.end() && previous->second.submap == node.submap) {
     node.T_map_cam = previous->second.T_map_cam * keyframe->T_previous_cam;
   }
-  for (const auto& [id, keypointIndex] : keyframe->sightings) {
+  for (const auto& [seenAs, keypointIndex] : keyframe->sightings) {
+    const PointId id = currentIdOf(seenAs);
     const auto& keypoint = keyframe->features.keypoints[keypointIndex];
     const auto descriptor = odometry::descriptorOf(keyframe->features, keypointIndex);
     const auto known = points_.find(id);
@@ -62,6 +63,12 @@ void KeyframeGraph::fuse(PointId from, PointId into) {
     if (keypointOf.emplace(into, keypoint).second) points_.at(into).seenBy.insert(id);
   }
   points_.erase(from);
+  fusedInto_[from] = into;
+}
+
+PointId KeyframeGraph::currentIdOf(PointId id) const {
+  for (auto fused = fusedInto_.find(id); fused != fusedInto_.end(); fused = fusedInto_.find(id)) id = fused->second;
+  return id;
 }
 
 void KeyframeGraph::joinSubmaps(std::uint32_t from, std::uint32_t into) {

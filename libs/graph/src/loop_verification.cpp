@@ -35,13 +35,15 @@ std::vector<PointObservation> observationsOf(const KeyframeGraph& graph, const s
   return observations;
 }
 
-/// Length of the camera's path between two keyframes, along the keyframes between.
+/// Length of the camera's path between two keyframes, along the keyframes between as far as they share a frame.
 double pathLength_m(const KeyframeGraph& graph, KeyframeId from, KeyframeId to) {
   double length_m = 0.0;
   const auto& keyframes = graph.keyframes();
   for (auto it = keyframes.find(from); it->first != to; ++it) {
-    const Eigen::Vector3d step_m = std::next(it)->second.T_map_cam.translation() - it->second.T_map_cam.translation();
-    length_m += step_m.norm();
+    const KeyframeNode& here = it->second;
+    const KeyframeNode& next = std::next(it)->second;
+    if (here.submap != next.submap) continue;
+    length_m += (next.T_map_cam.translation() - here.T_map_cam.translation()).norm();
   }
   return length_m;
 }

@@ -17,6 +17,7 @@ namespace {
 using odometry::PoseVector;
 
 constexpr double kPointsOfFullWeight = 100.0;
+constexpr double kLoopKernel = 5.0;  // standard deviations; drift makes true loops miss by tens at first
 
 /// How far the pose of `to` seen from `from` is from what the edge says, whitened.
 struct EdgeError {
@@ -69,7 +70,7 @@ void optimiseWithCeres(PoseGraph& poses, const std::set<std::pair<KeyframeId, Ke
   ceres::Problem problem;
   for (const auto& [ends, edge] : poses.edges) {
     auto* cost = new ceres::AutoDiffCostFunction<EdgeError, 6, 6, 6>(new EdgeError(errorOf(edge)));
-    auto* loss = loopEdges.count(ends) != 0 ? new ceres::CauchyLoss(1.0) : nullptr;
+    auto* loss = loopEdges.count(ends) != 0 ? new ceres::CauchyLoss(kLoopKernel) : nullptr;
     problem.AddResidualBlock(cost, loss, variables.at(ends.first).data(), variables.at(ends.second).data());
   }
   if (!problem.HasParameterBlock(variables.at(poses.root).data())) return;

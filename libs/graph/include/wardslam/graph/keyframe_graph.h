@@ -45,15 +45,18 @@ class KeyframeGraph {
   void setPosition(PointId id, const Eigen::Vector3d& p_map_m);
   void removeSighting(KeyframeId keyframe, PointId point);  ///< And the point, when nobody else sees it.
 
-  /// `from` turned out to be `into`: its sightings become the other's.
+  /// `from` turned out to be `into`: its sightings become the other's, also those in keyframes to come.
   void fuse(PointId from, PointId into);
 
   /// All keyframes of one submap now belong to the other; poses are not touched.
   void joinSubmaps(std::uint32_t from, std::uint32_t into);
 
  private:
+  [[nodiscard]] PointId currentIdOf(PointId id) const;
+
   std::map<KeyframeId, KeyframeNode> keyframes_;
   std::map<PointId, PointNode> points_;
+  std::map<PointId, PointId> fusedInto_;
   std::map<std::uint32_t, std::uint32_t> joinedInto_;
 };
 

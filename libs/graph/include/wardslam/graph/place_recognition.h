@@ -17,7 +17,8 @@ class PlaceRecognition {
   ~PlaceRecognition();
   PlaceRecognition(PlaceRecognition&&) noexcept;
 
-  /// Keyframes in order; one can be found once min_keyframe_gap others have followed it.
+  /// Keyframes in order; one can be found once min_keyframe_gap others have followed it, or up to
+  /// twice as many: the index is rebuilt now and then.
   void add(const odometry::Keyframe& keyframe);
 
   /// Keyframes, none of `excluded`, that share most looks with these features, likeliest first.

@@ -1,0 +1,115 @@
+#include "wardslam/graph/keyframe_graph.h"
+
+#include <gmock/gmock.h>
+
+#include "graph/hand_made_keyframe.h"
+#include "graph/synthetic_walk.h"
+
+namespace wardslam::graph {
+namespace {
+
+using test::handMadeKeyframe;
+using test::makePose;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::UnorderedElementsAre;
+
+TEST(KeyframeGraph, CountsSharedPointsMostFirst) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1, 2, 3, 4}));
+  graph.insert(handMadeKeyframe(2, {4, 5}));
+  graph.insert(handMadeKeyframe(3, {2, 3, 4, 5, 6}));
+  graph.insert(handMadeKeyframe(4, {7}));
+  EXPECT_THAT(graph.covisible(1), ElementsAre(Pair(3, 3), Pair(2, 1)));
+  EXPECT_THAT(graph.covisible(2), ElementsAre(Pair(3, 2), Pair(1, 1)));
+  EXPECT_THAT(graph.covisible(4), IsEmpty());
+}
+
+TEST(KeyframeGraph, PlacesAKeyframeWhereThePreviousIsNow) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1}));
+  graph.setPose(1, makePose({10, 0, 0}));
+  auto next = handMadeKeyframe(2, {2});
+  next->T_map_cam = makePose({0, 0, 1});  // tracking has not heard of the correction
+  next->T_previous_cam = makePose({0, 0, 1});
+  graph.insert(next);
+  EXPECT_TRUE(graph.keyframes().at(2).T_map_cam.isApprox(makePose({10, 0, 1})));
+  const Eigen::Vector3d p_cam_m((20.0 - 319.5) / 525.0 * 2.0, (100.0 - 239.5) / 525.0 * 2.0, 2.0);
+  EXPECT_TRUE(graph.points().at(2).point.p_map_m.isApprox(p_cam_m + Eigen::Vector3d(10, 0, 1)));
+}
+
+TEST(KeyframeGraph, MakesNoPointWithoutDepth) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1}));
+  auto flat = handMadeKeyframe(2, {1, 2});
+  for (auto& keypoint : flat->features.keypoints) keypoint.depth_m = 0.0F;
+  graph.insert(flat);
+  EXPECT_THAT(graph.keyframes().at(2).keypointOf, ElementsAre(Pair(1, 0))) << "known points need no depth";
+  EXPECT_EQ(graph.points().count(2), 0U);
+}
+
+TEST(KeyframeGraph, APointGoesWithItsLastSighting) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1, 2}));
+  graph.insert(handMadeKeyframe(2, {1}));
+  graph.removeSighting(1, 1);
+  EXPECT_THAT(graph.points().at(1).seenBy, ElementsAre(2));
+  EXPECT_THAT(graph.keyframes().at(1).keypointOf, ElementsAre(Pair(2, 1)));
+  graph.removeSighting(2, 1);
+  EXPECT_EQ(graph.points().count(1), 0U);
+  EXPECT_THAT(graph.keyframes().at(2).keypointOf, IsEmpty());
+}
+
+TEST(KeyframeGraph, AFusedPointHandsItsSightingsOn) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1}));
+  graph.insert(handMadeKeyframe(2, {9, 2}));
+  graph.insert(handMadeKeyframe(3, {1, 2}));
+  graph.fuse(2, 1);
+  EXPECT_EQ(graph.points().count(2), 0U);
+  EXPECT_THAT(graph.points().at(1).seenBy, ElementsAre(1, 2, 3));
+  EXPECT_THAT(graph.keyframes().at(2).keypointOf, UnorderedElementsAre(Pair(1, 1), Pair(9, 0)));
+  EXPECT_THAT(graph.keyframes().at(3).keypointOf, ElementsAre(Pair(1, 0))) << "it saw both: its own sighting stays";
+  EXPECT_THAT(graph.covisible(1), ElementsAre(Pair(2, 1), Pair(3, 1)));
+}
+
+TEST(KeyframeGraph, AFusedPointIsKnownByItsOldNameToo) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1, 2, 3}));
+  graph.fuse(3, 2);
+  graph.fuse(2, 1);
+  graph.insert(handMadeKeyframe(2, {7, 3}));  // tracking has not heard of it
+  EXPECT_THAT(graph.keyframes().at(2).keypointOf, UnorderedElementsAre(Pair(1, 1), Pair(7, 0)));
+  EXPECT_THAT(graph.points().at(1).seenBy, ElementsAre(1, 2));
+  EXPECT_EQ(graph.points().count(3), 0U);
+}
+
+TEST(KeyframeGraph, KeyframesOfAJoinedSubmapFollowTheirMap) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1}, 1));
+  graph.insert(handMadeKeyframe(2, {2}, 2));
+  graph.insert(handMadeKeyframe(3, {3}, 3));
+  EXPECT_EQ(graph.keyframes().at(3).submap, 3U);
+  graph.joinSubmaps(3, 2);
+  graph.joinSubmaps(2, 1);
+  for (const auto& [id, node] : graph.keyframes()) EXPECT_EQ(node.submap, 1U) << id;
+  graph.setPose(3, makePose({5, 0, 0}));
+  auto late = handMadeKeyframe(4, {4}, 3);
+  late->T_previous_cam = makePose({0, 1, 0});
+  graph.insert(late);
+  EXPECT_EQ(graph.keyframes().at(4).submap, 1U);
+  EXPECT_TRUE(graph.keyframes().at(4).T_map_cam.isApprox(makePose({5, 1, 0})));
+}
+
+TEST(KeyframeGraph, APointMovesWithThePlaceItWasSeenFrom) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1}));
+  const Eigen::Vector3d before_m = graph.points().at(1).point.p_map_m;
+  graph.setPosition(1, before_m + Eigen::Vector3d(1, 2, 3));
+  EXPECT_TRUE(graph.points().at(1).point.p_map_m.isApprox(before_m + Eigen::Vector3d(1, 2, 3)));
+  EXPECT_TRUE(graph.points().at(1).point.viewedFrom_map_m.isApprox(Eigen::Vector3d(1, 2, 3)));
+}
+
+}  // namespace
+}  // namespace wardslam::graph

@@ -1,0 +1,127 @@
+#include "wardslam/graph/mapper.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "graph/synthetic_walk.h"
+
+namespace wardslam::graph {
+namespace {
+
+using test::makePose;
+using test::SyntheticWalk;
+
+constexpr int kRound = SyntheticWalk::kKeyframesPerRound;
+
+GraphOptions fewAndFast() {
+  GraphOptions options;
+  options.bundle_adjustment.window = 4;
+  options.bundle_adjustment.local_iterations = 4;
+  options.place_recognition.min_keyframe_gap = 10;
+  return options;
+}
+
+/// A round and a bit; half way, tracking loses all points and slips by `slip`.
+class MapperTest : public ::testing::Test {
+ protected:
+  static constexpr int kKeyframes = kRound + 5;
+
+  void walk(Mapper& mapper, const Eigen::Isometry3d& slip) {
+    for (int i = 0; i < kKeyframes; ++i) {
+      const bool slips = i == kRound / 2;
+      if (slips) walk_.forgetPoints();
+      insert(mapper, walk_.step(slips ? slip : Eigen::Isometry3d::Identity()));
+    }
+  }
+
+  void insert(Mapper& mapper, const std::shared_ptr<const odometry::Keyframe>& keyframe) {
+    const std::size_t loops = mapper.loops().size();
+    const auto update = mapper.insert(keyframe);
+    if (mapper.loops().size() > loops) closings_.push_back(update);
+  }
+
+  [[nodiscard]] double error_m(const Mapper& mapper, KeyframeId id) const {
+    return test::distance_m(mapper.graph().keyframes().at(id).T_map_cam, walk_.T_first_cam(id));
+  }
+
+  SyntheticWalk walk_{{0.5, 0.5, 10}, 1500};
+  std::vector<odometry::MapUpdate> closings_;
+};
+
+const Eigen::Isometry3d kSlip = makePose({0.15, 0.05, 0.12}, {0.0, 0.05, 0.0});
+
+TEST_F(MapperTest, ClosesARound) {
+  Mapper mapper(fewAndFast(), {});
+  walk(mapper, kSlip);
+  ASSERT_GE(mapper.loops().size(), 1U);
+  EXPECT_EQ(mapper.submapsJoined(), 0U);
+  EXPECT_LT(error_m(mapper, kKeyframes), 0.02) << "the slip was 0.2 m";
+  const auto& [older, newer] = std::pair(mapper.loops().front().older, mapper.loops().front().newer);
+  EXPECT_GE(newer, older + 10);
+  EXPECT_GT(mapper.graph().covisible(newer).size(), 3U);
+
+  const auto& update = closings_.front();
+  EXPECT_EQ(update.T_map_cam.size(), newer) << "all keyframes so far";
+  EXPECT_EQ(update.recalledKeyframes.count(older), 1U);
+  EXPECT_GT(update.fusedPoints.size(), 50U);
+  for (const auto& [from, into] : update.fusedPoints) EXPECT_EQ(walk_.worldPointOf(from), walk_.worldPointOf(into));
+  for (const auto& [id, points] : update.recalledKeyframes) {
+    for (const PointId point : points) EXPECT_EQ(update.recalledPoints.count(point), 1U);
+  }
+}
+
+TEST_F(MapperTest, LeavesTheSlipWhenToldToCloseNothing) {
+  GraphOptions options = fewAndFast();
+  options.close_loops = false;
+  Mapper mapper(options, {});
+  walk(mapper, kSlip);
+  EXPECT_TRUE(mapper.loops().empty());
+  EXPECT_GT(error_m(mapper, kKeyframes), 0.1);
+}
+
+TEST_F(MapperTest, JoinsSubmapsThatMeet) {
+  Mapper mapper(fewAndFast(), {});
+  for (const auto& keyframe : walk_.walk(kRound - 10)) insert(mapper, keyframe);
+  walk_.loseTrack();
+  for (const auto& keyframe : walk_.walk(16)) insert(mapper, keyframe);
+  ASSERT_EQ(mapper.submapsJoined(), 1U);
+  for (const auto& [id, node] : mapper.graph().keyframes()) {
+    EXPECT_EQ(node.submap, 1U) << id;
+    EXPECT_LT(error_m(mapper, id), 0.04) << id << " stands where it should in the frame of the first";
+  }
+  EXPECT_EQ(closings_.front().T_map_cam.size(), mapper.loops().front().newer);
+}
+
+TEST_F(MapperTest, AdjustsEverythingOnceMoreAtTheEnd) {
+  Mapper mapper(fewAndFast(), {});
+  for (const auto& keyframe : walk_.walk(8)) insert(mapper, keyframe);
+  walk_.loseTrack();
+  for (const auto& keyframe : walk_.walk(4)) insert(mapper, keyframe);
+  mapper.adjustAll();
+  const auto T = [&](KeyframeId id) { return mapper.graph().keyframes().at(id).T_map_cam; };
+  EXPECT_LT(error_m(mapper, 8), 0.01);
+  EXPECT_TRUE(T(9).isApprox(Eigen::Isometry3d::Identity())) << "each submap has its own frame";
+  EXPECT_LT(test::distance_m(T(12), walk_.T_first_cam(9).inverse() * walk_.T_first_cam(12)), 0.01);
+}
+
+TEST_F(MapperTest, DropsPointsThatNobodySeesAgain) {
+  GraphOptions options = fewAndFast();
+  options.probation_keyframes = 2;
+  Mapper mapper(options, {});
+  const auto keyframes = walk_.walk(2);
+  insert(mapper, keyframes[0]);
+  insert(mapper, keyframes[1]);
+  walk_.forgetPoints();
+  std::set<PointId> once;
+  for (const auto& [id, node] : mapper.graph().points()) {
+    if (*node.seenBy.begin() == 1 && node.seenBy.size() == 1) once.insert(id);
+  }
+  ASSERT_GT(once.size(), 10U);
+  const auto update = mapper.insert(walk_.step());
+  EXPECT_EQ(std::set<PointId>(update.removedPoints.begin(), update.removedPoints.end()), once);
+  for (const PointId id : once) EXPECT_EQ(mapper.graph().points().count(id), 0U);
+}
+
+}  // namespace
+}  // namespace wardslam::graph

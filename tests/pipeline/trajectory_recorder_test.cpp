@@ -1,0 +1,42 @@
+#include "wardslam/pipeline/trajectory_recorder.h"
+
+#include <gmock/gmock.h>
+
+namespace wardslam::pipeline {
+namespace {
+
+Eigen::Isometry3d at(double x_m, double y_m, double yaw_rad = 0.0) {
+  return Eigen::Translation3d(x_m, y_m, 0.0) * Eigen::Isometry3d(Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()));
+}
+
+void record(TrajectoryRecorder& recorder, double stamp_s, odometry::State state, odometry::KeyframeId keyframe,
+            const Eigen::Isometry3d& T_keyframe_cam) {
+  core::Frame frame;
+  frame.stamp_s = stamp_s;
+  odometry::OdometryResult odometry;
+  odometry.state = state;
+  odometry.referenceKeyframe = keyframe;
+  odometry.T_keyframe_cam = T_keyframe_cam;
+  odometry.T_map_cam = at(100, 100);  // as it was thought then: of no use later
+  recorder.onFrame(frame, odometry);
+}
+
+TEST(TrajectoryRecorder, FramesFollowTheirKeyframes) {
+  TrajectoryRecorder recorder;
+  record(recorder, 1.0, odometry::State::Ok, 1, at(0, 0));
+  record(recorder, 2.0, odometry::State::Ok, 1, at(1, 0));
+  record(recorder, 3.0, odometry::State::Lost, 1, at(9, 9));
+  record(recorder, 4.0, odometry::State::Ok, 2, at(1, 0));
+  const auto trajectory = recorder.corrected({{1, at(5, 0)}, {2, at(0, 7, M_PI / 2)}});
+  ASSERT_EQ(trajectory.size(), 3U) << "nothing where the camera was lost";
+  EXPECT_EQ(trajectory[1].stamp_s, 2.0);
+  EXPECT_EQ(trajectory[2].stamp_s, 4.0);
+  EXPECT_TRUE(trajectory[0].T_map_cam.isApprox(at(5, 0)));
+  EXPECT_TRUE(trajectory[1].T_map_cam.isApprox(at(6, 0)));
+  EXPECT_TRUE(trajectory[2].T_map_cam.isApprox(at(0, 8, M_PI / 2))) << "a step ahead of a keyframe turned left";
+  const auto later = recorder.corrected({{1, at(0, 0)}, {2, at(0, 0)}});
+  EXPECT_TRUE(later[2].T_map_cam.isApprox(at(1, 0))) << "by where the keyframes are now";
+}
+
+}  // namespace
+}  // namespace wardslam::pipeline
