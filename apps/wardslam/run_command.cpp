@@ -15,9 +15,11 @@
 #include "picture_writer.h"
 #include "run_folder.h"
 #include "support/interruption.h"
+#include "support/playback_clock.h"
 #include "support/program.h"
 #include "support/progress.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/mrpt_compat.h"
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/sources/observation_source.h"
@@ -33,8 +35,10 @@ struct RunArguments {
   std::filesystem::path masks;
   std::filesystem::path model;
   std::string filter;
+  std::string mode;
   std::optional<std::size_t> maxFrames;
   bool deterministic = false;
+  bool realtime = false;
   std::size_t pictureInterval = 0;
 };
 
@@ -64,6 +68,10 @@ pipeline::SlamOptions effectiveOptions(const RunArguments& arguments) {
   } else if (!hasMasks && arguments.config.empty()) {
     warn("without --masks or --model nothing is segmented: running with the filter off");
     options.filters = pipeline::SlamOptions::noFilters();
+  }
+  if (!arguments.mode.empty() &&
+      !options.setFilterParameter("wardslam::filters::SemanticDynamicFilter", "mode", arguments.mode)) {
+    throw UsageError("--mode says how the SemanticDynamicFilter gets its masks, but that filter is not in use");
   }
   return options;
 }
@@ -98,9 +106,11 @@ std::optional<std::size_t> expectedFrames(const sources::ObservationSource& sour
 void processAll(sources::ObservationSource& source, pipeline::SlamSystem& slam, pipeline::RunStatistics& statistics,
                 InputTrouble& trouble, const RunArguments& arguments, const InterruptionGuard& interruption) {
   Progress progress(std::cerr, standardErrorIsTerminal(), "frame", expectedFrames(source, arguments));
+  PlaybackClock clock;
   while (!interruption.requested() && statistics.frames() < arguments.maxFrames.value_or(SIZE_MAX)) {
     const auto observation = source.next();
     if (!observation) break;
+    if (arguments.realtime) clock.waitFor(core::fromMrptTime(observation->timestamp));
     try {
       slam.process(observation);
     } catch (const core::FrameError& error) {
@@ -172,7 +182,12 @@ void addRunCommand(CLI::App& app) {
                                     "folder of recorded masks, one PNG of class ids per colour image, named by stamp");
   command->add_option("--model", arguments->model, "YOLO segmentation network (v5 or v8 layout, ONNX)")
       ->excludes(masks);
+  command
+      ->add_option("--mode", arguments->mode,
+                   "tracking waits for the masks of each frame, or takes the newest, carried to the frame")
+      ->check(CLI::IsMember({"wait", "propagate"}));
   command->add_option("--max-frames", arguments->maxFrames, "stop after so many frames")->check(CLI::PositiveNumber);
+  command->add_flag("--realtime", arguments->realtime, "frames come no faster than they were recorded");
   command->add_flag("--deterministic", arguments->deterministic, "same input, same bytes out");
   command
       ->add_option("--pictures", arguments->pictureInterval,

@@ -40,6 +40,13 @@ nlohmann::ordered_json stagesJson(const core::Profiler& profiler) {
   return stages;
 }
 
+nlohmann::ordered_json maskAgeJson(const pipeline::MaskAge& age) {
+  return {{"median_frames", age.median_frames},
+          {"p95_frames", age.p95_frames},
+          {"median_ms", age.median_ms},
+          {"p95_ms", age.p95_ms}};
+}
+
 nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json;
@@ -51,6 +58,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["loops_closed"] = summary.slam.map().loops().size();
   json["submaps_joined"] = summary.slam.map().submapsJoined();
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
+  json["mask_age"] = maskAgeJson(statistics.maskAge());
   json["stages"] = stagesJson(summary.slam.profiler());
   json["fps"] = elapsed_s > 0 ? rounded(static_cast<double>(statistics.frames()) / elapsed_s, 2) : 0.0;
   json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);

@@ -5,6 +5,7 @@
 
 #include "filters/ward_fixture.h"
 #include "wardslam/core/annotation.h"
+#include "wardslam/core/errors.h"
 
 namespace wardslam::filters {
 namespace {
@@ -214,6 +215,32 @@ TEST_F(SemanticDynamicFilterTest, MasksOfAnotherSizeCountAsNone) {
   EXPECT_TRUE(frame.segmentation.empty());
   EXPECT_EQ(frame.events.at("filters.segmentation_size"), 1U);
   EXPECT_EQ(frame.events.at("filters.no_segmentation"), 1U);
+}
+
+TEST_F(SemanticDynamicFilterTest, PropagationGetsItsMasksLater) {
+  configure("{mode: propagate, latency_frames: 2, n: 5, delta: 4, margin_px: 0}");
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    core::Frame frame = frameOf({keypointAt(30, 20)});
+    frame.index = i;
+    filter_.apply(frame);
+    EXPECT_EQ(frame.features.keypoints[0].motion, Motion::Dynamic);
+    EXPECT_EQ(frame.segmentationAge_frames, i == 3 ? 2 : i);
+  }
+}
+
+TEST_F(SemanticDynamicFilterTest, ADeterministicRunTakesNoMasksByChance) {
+  FilterContext repeatable = context(result_);
+  repeatable.deterministic = true;
+  for (const char* parameters : {"{mode: wait}", "{mode: propagate, latency_frames: 1}"}) {
+    SemanticDynamicFilter filter;
+    EXPECT_NO_THROW(filter.initialize(core::ConfigNode::fromText(parameters), repeatable));
+  }
+  try {
+    filter_.initialize(core::ConfigNode::fromText("{mode: propagate}", "my.yaml"), repeatable);
+    FAIL() << "should have thrown";
+  } catch (const core::InputError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("my.yaml"), testing::HasSubstr("latency_frames")));
+  }
 }
 
 TEST_F(SemanticDynamicFilterTest, ABoxBeyondTheImageIsCut) {

@@ -192,6 +192,38 @@ TEST_F(RunCommand, DeterministicRunsAreByteEqual) {
   EXPECT_TRUE(summary().at("deterministic").get<bool>());
 }
 
+TEST_F(RunCommand, MasksMayComeBehind) {
+  const test::RoomRecording room(kImages);
+  const Arguments propagate = {"--masks", room.masks(), "--mode", "propagate"};
+  ASSERT_EQ(run(room.path(), propagate).exitCode, 0);
+  EXPECT_THAT(test::readText(out / "config.yaml"), HasSubstr("mode: propagate"));
+  EXPECT_NEAR(summary().at("dynamic_keypoint_fraction").get<double>(), 67.0 / 288.0, 0.06);
+
+  const auto config = folder.write("late.yaml",
+                                   "filters: [{class_name: 'wardslam::filters::SemanticDynamicFilter',"
+                                   " params: {latency_frames: 3}}]\n");
+  const Arguments late = {"--masks", room.masks(), "--mode", "propagate", "--deterministic", "--config", config};
+  ASSERT_EQ(run(room.path(), late).exitCode, 0);
+  const std::string once = test::readText(out / "trajectory.txt");
+  EXPECT_EQ(summary().at("mask_age").at("median_frames"), 3);
+  EXPECT_EQ(summary().at("mask_age").at("p95_frames"), 5);
+  ASSERT_EQ(run(room.path(), late).exitCode, 0);
+  EXPECT_EQ(test::readText(out / "trajectory.txt"), once);
+
+  Arguments byChance = propagate;
+  byChance.emplace_back("--deterministic");
+  expectError(run(room.path(), byChance), 1, "latency_frames");
+}
+
+TEST_F(RunCommand, PlaysAsFastAsItWasRecorded) {
+  const test::RoomRecording room(kImages);
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(run(room.path(), {"--filter", "off", "--realtime"}).exitCode, 0);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  const auto stamp_s = [](const std::string& pose) { return std::stod(pose.substr(0, pose.find(' '))); };
+  EXPECT_GE(elapsed.count(), stamp_s(trajectory().back()) - stamp_s(trajectory().front()));
+}
+
 TEST_F(RunCommand, WritesPicturesWhereAsked) {
   const test::RoomRecording room(kImages);
   const auto names = [&] {
@@ -245,6 +277,8 @@ TEST_F(RunCommand, RefusesWrongUsage) {
   const test::RoomRecording room(2);
   expectError(run(room.path(), {"--filter", "on"}), 2, "--filter on needs masks");
   expectError(run(room.path(), {"--filter", "perhaps"}), 2, "perhaps");
+  expectError(run(room.path(), {"--mode", "guess"}), 2, "--mode");
+  expectError(run(room.path(), {"--filter", "off", "--mode", "propagate"}), 2, "--mode");
   expectError(run(room.path(), {"--masks", "a", "--model", "b"}), 2, "--model");
   expectError(run(room.path(), {"--maxframes", "3"}), 2, "unknown option '--maxframes'; did you mean '--max-frames'?");
   expectError(run(room.path(), {"--maxframes=3"}), 2, "unknown option '--maxframes'; did you mean '--max-frames'?");

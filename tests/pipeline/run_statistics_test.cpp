@@ -46,6 +46,24 @@ TEST(RunStatistics, CountsAsByHand) {
   EXPECT_EQ(statistics.events(), (core::EventCounts{{"a.b", 3}, {"c.d", 1}}));
 }
 
+TEST(RunStatistics, TellsTheAgeOfMasks) {
+  RunStatistics statistics;
+  EXPECT_EQ(statistics.maskAge().p95_ms, 0);
+  core::Frame frame;
+  frame.segmentationAge_frames = 99;
+  statistics.onFrame(frame, tracked(State::Ok));  // without masks they have no age
+  frame.segmentation.classIds = cv::Mat(2, 2, CV_8UC1);
+  for (int i = 1; i <= 20; ++i) {
+    frame.segmentationAge_frames = i;
+    frame.segmentationAge_s = 0.03 * i + 0.0004;
+    statistics.onFrame(frame, tracked(State::Ok));
+  }
+  EXPECT_EQ(statistics.maskAge().median_frames, 10);
+  EXPECT_EQ(statistics.maskAge().p95_frames, 19);
+  EXPECT_EQ(statistics.maskAge().median_ms, 300);
+  EXPECT_EQ(statistics.maskAge().p95_ms, 570);
+}
+
 TEST(RunStatistics, ALossIsCountedOnceWhileItLasts) {
   RunStatistics statistics;
   for (const State state :

@@ -62,6 +62,25 @@ TEST_F(SlamOptionsTest, FiltersAreReplacedAsAWhole) {
   EXPECT_EQ(read("filters: []\n").filters.yaml().size(), 0U);
 }
 
+TEST_F(SlamOptionsTest, AParameterOfAFilterCanBeOverruled) {
+  auto options = read("filters:\n  - {class_name: first}\n  - {class_name: second, params: {a: 1, b: 2}}\n");
+  EXPECT_TRUE(options.setFilterParameter("second", "a", "7"));
+  EXPECT_TRUE(options.setFilterParameter("first", "c", "word"));
+  EXPECT_FALSE(options.setFilterParameter("third", "a", "7"));
+  const auto parameter = [&](std::size_t filter, const char* key) {
+    return options.filters.item(filter).child("params").child(key).yaml().as<std::string>();
+  };
+  EXPECT_EQ(parameter(1, "a"), "7");
+  EXPECT_EQ(parameter(1, "b"), "2");
+  EXPECT_EQ(parameter(0, "c"), "word");
+
+  SlamOptions defaults;
+  EXPECT_TRUE(defaults.setFilterParameter("wardslam::filters::SemanticDynamicFilter", "n", "5"));
+  EXPECT_FALSE(SlamOptions{}.filters.item(0).child("params").exists()) << "other options stay as they are";
+  defaults.filters = SlamOptions::noFilters();
+  EXPECT_FALSE(defaults.setFilterParameter("wardslam::filters::SemanticDynamicFilter", "n", "5"));
+}
+
 TEST_F(SlamOptionsTest, AnUnknownKeyNamesTheNearest) {
   EXPECT_THAT(complaint("features:\n  keypoints: 500\n"),
               HasSubstr("my.yaml:2: 'features.keypoints': unknown key; did you mean 'key_points'?"));

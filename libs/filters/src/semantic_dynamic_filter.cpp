@@ -48,6 +48,10 @@ void SemanticDynamicFilter::initialize(const core::ConfigNode& parameters, const
   check(options_, parameters);
   if (!context.segmenter) parameters.fail("SemanticDynamicFilter needs a segmenter; give masks or a network");
   if (!context.knowledge) parameters.fail("SemanticDynamicFilter needs a knowledge graph; give one");
+  if (context.deterministic && !options_.masks.isRepeatable()) {
+    parameters.child("mode").fail(
+        "in a deterministic run masks cannot come just when they are ready; give latency_frames (3, say) or mode wait");
+  }
   masks_ = makeMaskFeed(options_.masks, context.segmenter);
   rules_.emplace(*context.knowledge, context.segmenter->labelSpace());
   test_.emplace(*rules_, options_.test);

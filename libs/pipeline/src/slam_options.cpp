@@ -17,6 +17,16 @@ core::ConfigNode SlamOptions::defaultFilters() {
 
 core::ConfigNode SlamOptions::noFilters() { return core::ConfigNode::fromText("[]", "<defaults>"); }
 
+bool SlamOptions::setFilterParameter(const std::string& className, const std::string& key, const std::string& value) {
+  bool isFound = false;
+  for (YAML::Node filter : YAML::Node(filters.yaml())) {  // a node is a handle: this changes what it stands for
+    if (!filter.IsMap() || filter["class_name"].as<std::string>("") != className) continue;
+    filter["params"][key] = value;
+    isFound = true;
+  }
+  return isFound;
+}
+
 SlamOptions readSlamOptions(const std::filesystem::path& file) {
   SlamOptions options;
   options.file = file;

@@ -24,7 +24,7 @@ SlamSystem::SlamSystem(const SlamOptions& options)
       segmenter_(makeAsyncSegmenter(options.segmentation)),
       labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
       features_(options.features),
-      filters_(options.filters, {segmenter_, readKnowledge(options)}),
+      filters_(options.filters, {segmenter_, readKnowledge(options), options.deterministic}),
       odometry_(options.odometry),
       map_(std::make_unique<graph::Mapper>(options.graph, options.odometry), !options.deterministic) {
   addObserver(trajectory_);

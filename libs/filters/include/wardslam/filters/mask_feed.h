@@ -19,6 +19,8 @@ struct MaskFeedOptions {
   int latency_frames = 0;
   segmentation::InstanceTrackerOptions tracker;
 
+  [[nodiscard]] bool isRepeatable() const { return mode == Mode::Wait || latency_frames > 0; }
+
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("mode", self.mode, {"wait", "propagate"},

@@ -19,10 +19,11 @@ class KnowledgeGraph;
 
 namespace wardslam::filters {
 
-/// What a filter may use besides its own parameters. Either may be null; a filter that needs it says so.
+/// What a filter may use besides its own parameters. Both pointers may be null; a filter that needs it says so.
 struct FilterContext {
   std::shared_ptr<segmentation::AsyncSegmenter> segmenter;
   std::shared_ptr<const knowledge::KnowledgeGraph> knowledge;
+  bool deterministic = false;  ///< The run must repeat exactly: nothing may depend on how long work takes.
 };
 
 /// A link of the chain between the sensor and the odometry. It looks at a frame and marks what must not be trusted:

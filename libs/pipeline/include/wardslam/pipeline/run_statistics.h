@@ -1,11 +1,20 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 
 #include "wardslam/core/event_counts.h"
 #include "wardslam/pipeline/frame_observer.h"
 
 namespace wardslam::pipeline {
+
+/// How old masks were when they were used, over the frames that had any.
+struct MaskAge {
+  int median_frames = 0;
+  int p95_frames = 0;
+  int median_ms = 0;
+  int p95_ms = 0;
+};
 
 /// Counts what a run was made of.
 class RunStatistics : public FrameObserver {
@@ -24,6 +33,7 @@ class RunStatistics : public FrameObserver {
   [[nodiscard]] std::size_t keyframes() const { return keyframes_; }
   [[nodiscard]] double dynamicKeypointFraction() const;  ///< Over all frames; 0 without key points.
   [[nodiscard]] const core::EventCounts& events() const { return events_; }
+  [[nodiscard]] MaskAge maskAge() const;
 
  private:
   std::size_t frames_ = 0;
@@ -35,6 +45,8 @@ class RunStatistics : public FrameObserver {
   std::size_t dynamicKeypoints_ = 0;
   odometry::State state_ = odometry::State::Initialising;
   core::EventCounts events_;
+  std::map<int, std::size_t> framesByMaskAge_frames_;
+  std::map<int, std::size_t> framesByMaskAge_ms_;
 };
 
 }  // namespace wardslam::pipeline
