@@ -62,7 +62,7 @@ TEST_F(Accuracy, OfAWalkingManWithANetwork) {
   if (!fs::exists(kNetwork)) GTEST_SKIP() << "not here: " << kNetwork;
   const auto figures = run("rpy_walk", {"--camera", kFreiburg1, "--model", kNetwork});
   EXPECT_LE(figures.ate_m, 0.035);
-  EXPECT_GE(figures.coverage, 0.90);
+  EXPECT_GE(figures.coverage, 0.95);
 }
 
 TEST_F(Accuracy, OfAWardWithWalkingPeople) {
