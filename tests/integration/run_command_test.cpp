@@ -160,7 +160,8 @@ TEST_F(RunCommand, WithoutMasksItSaysThatNothingIsFiltered) {
 TEST_F(RunCommand, TheEffectiveConfigurationRepeatsTheRun) {
   const test::RoomRecording room(kImages);
   const fs::path elsewhere = folder.path() / "elsewhere";
-  for (const Arguments& choice : {Arguments{"--masks", room.masks()}, {"--filter", "off"}}) {
+  for (const Arguments& choice :
+       {Arguments{"--deterministic", "--masks", room.masks()}, {"--deterministic", "--filter", "off"}}) {
     ASSERT_EQ(run(room.path(), choice).exitCode, 0);
     const auto again =
         test::runProgram("wardslam", {"run", room.path(), "--out", elsewhere, "--config", out / "config.yaml"});

@@ -213,8 +213,8 @@ class Drawing {
   }
 
   [[nodiscard]] static std::string caption() {
-    return "<text x=\"" + std::to_string(static_cast<int>(kLeft)) +
-           "\" y=\"34\" font-size=\"15\">Who can move what: " + "how likely within reach, and how far that is</text>\n";
+    return R"(<text x=")" + std::to_string(static_cast<int>(kLeft)) +
+           R"(" y="34" font-size="15">Who can move what: how likely within reach, and how far that is</text>)" + "\n";
   }
 
   const KnowledgeGraph& graph_;

@@ -39,8 +39,7 @@ struct SlamOptions {
   [[nodiscard]] static core::ConfigNode noFilters();
 
   /// Overrules a parameter of the filters of this class, in `filters` itself. False: there is no such filter.
-  [[nodiscard]] bool setFilterParameter(const std::string& className, const std::string& key,
-                                        const std::string& value);
+  [[nodiscard]] bool setFilterParameter(const std::string& className, const std::string& key, const std::string& value);
 
   /// Everything but the filters, whose parameters only they themselves know.
   template <class Self, class Visitor>
