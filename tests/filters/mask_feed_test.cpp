@@ -1,5 +1,6 @@
 #include "wardslam/filters/mask_feed.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -128,7 +129,8 @@ TEST_F(MaskFeedTest, PropagationCarriesTheMasksOfOlderImages) {
     EXPECT_EQ(frame.segmentation.instances[0].id, id);
   }
   feed_.reset();
-  EXPECT_EQ(asked_, (std::vector<int>{0, 1, 4, 7, 10}));
+  // The last image may be dropped before the segmenter begins it: nobody waits for it any more.
+  EXPECT_THAT(asked_, testing::AnyOf(testing::ElementsAre(0, 1, 4, 7), testing::ElementsAre(0, 1, 4, 7, 10)));
 }
 
 TEST_F(MaskFeedTest, PropagationBridgesWhatIsMissed) {
