@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "wardslam/core/label_space.h"
+#include "wardslam/mapping/floor_plan.h"
+#include "wardslam/mapping/map_object.h"
+#include "wardslam/mapping/semantic_cloud_tile.h"
+#include "wardslam/mapping/zone.h"
+
+namespace wardslam::mapping {
+
+/// Where a keyframe was taken. Its id is the one odometry and graph use.
+struct MappedKeyframe {
+  double stamp_s = 0.0;
+  Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+  std::string zone;  ///< Innermost zone the camera was over; empty = none.
+};
+
+/// The semantic map as plain data: what the builder makes, the map file stores, and queries read.
+/// The map frame has z up and, where the floor was seen at the start, z = 0 on the floor.
+struct SemanticMap {
+  core::LabelSpace labels = core::LabelSpace::coco();
+  std::map<std::uint64_t, MappedKeyframe> keyframes;  ///< By keyframe id.
+  std::map<std::uint64_t, SemanticCloudTile> cloud;   ///< By the keyframe id a tile hangs on.
+  std::map<ObjectId, MapObject> objects;
+  std::vector<Zone> zones;
+  FloorPlan floorPlan;
+};
+
+}  // namespace wardslam::mapping
