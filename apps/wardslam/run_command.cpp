@@ -36,6 +36,7 @@ struct RunArguments {
   std::filesystem::path model;
   std::string filter;
   std::string mode;
+  std::string startPose;
   std::optional<std::size_t> maxFrames;
   bool deterministic = false;
   bool realtime = false;
@@ -56,6 +57,7 @@ pipeline::SlamOptions effectiveOptions(const RunArguments& arguments) {
     options.segmentation.type = Segmenter::Yolo;
     options.segmentation.yolo.model = std::filesystem::absolute(arguments.model).string();
   }
+  if (!arguments.startPose.empty()) options.map_frame.start_pose = arguments.startPose;
   options.deterministic = options.deterministic || arguments.deterministic;
   const bool hasMasks = options.segmentation.type != Segmenter::None;
   if (arguments.filter == "on" && !hasMasks) {
@@ -186,6 +188,8 @@ void addRunCommand(CLI::App& app) {
       ->add_option("--mode", arguments->mode,
                    "tracking waits for the masks of each frame, or takes the newest, carried to the frame")
       ->check(CLI::IsMember({"wait", "propagate"}));
+  command->add_option("--start-pose", arguments->startPose,
+                      "where the first image was taken in the map frame, \"x y z qx qy qz qw\" (optical camera frame)");
   command->add_option("--max-frames", arguments->maxFrames, "stop after so many frames")->check(CLI::PositiveNumber);
   command->add_flag("--realtime", arguments->realtime, "frames come no faster than they were recorded");
   command->add_flag("--deterministic", arguments->deterministic, "same input, same bytes out");

@@ -80,6 +80,20 @@ TEST_F(OdometryTest, TheFirstCameraIsTheMapFrame) {
   EXPECT_EQ(result.referenceKeyframe, 1U);
 }
 
+TEST_F(OdometryTest, StartsWhereItIsTold) {
+  Eigen::Isometry3d T_map_start(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+  T_map_start.translation() = Eigen::Vector3d(4, -5, 1.2);
+  odometry_.startFrom(T_map_start);
+  EXPECT_FALSE(odometry_.hasStarted());
+  for (int image = 0; image < 5; ++image) {
+    const auto result = trackImage(image, {});
+    EXPECT_LT(distance_m(result.T_map_cam, T_map_start * truth(image)), 1e-4) << image;
+  }
+  EXPECT_TRUE(odometry_.hasStarted());
+  odometry_.startFrom(Eigen::Isometry3d::Identity());
+  EXPECT_LT(distance_m(trackImage(5, {}).T_map_cam, T_map_start * truth(5)), 1e-4) << "too late to be moved";
+}
+
 TEST_F(OdometryTest, KeyframesComeWhenThereIsSomethingNew) {
   std::set<KeyframeId> ids;
   for (int image = 0; image < kImages; ++image) {

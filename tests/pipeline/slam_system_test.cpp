@@ -97,13 +97,18 @@ class SlamSystemTest : public ::testing::Test {
     test::RecordingFilter::log().clear();
   }
 
-  static SlamOptions withoutFilters() {
+  static SlamOptions startingInTheMiddle() {
     SlamOptions options;
+    options.map_frame.start_pose = "0 0 0 0 0 0 1";
+    return options;
+  }
+  static SlamOptions withoutFilters() {
+    SlamOptions options = startingInTheMiddle();
     options.filters = SlamOptions::noFilters();
     return options;
   }
   static SlamOptions withRecordingFilter() {
-    SlamOptions options;
+    SlamOptions options = startingInTheMiddle();
     options.filters = core::ConfigNode::fromText("[{class_name: 'wardslam::test::RecordingFilter'}]");
     return options;
   }

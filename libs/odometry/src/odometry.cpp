@@ -24,6 +24,12 @@ class Odometry::Tracker {
   explicit Tracker(const OdometryOptions& options)
       : options_(options), map_(options.local_map), poseTracker_(options_) {}
 
+  [[nodiscard]] bool hasStarted() const { return lastKeyframe_.id > 0; }
+
+  void startFrom(const Eigen::Isometry3d& T_map_cam) {
+    if (!hasStarted()) T_cam_map_ = T_map_cam.inverse();
+  }
+
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features) {
     const View view{stamp_s, camera, features, KeypointGrid(features.keypoints, camera), frame_++};
     if (state_ == State::Initialising) return initialise(view);
@@ -202,6 +208,10 @@ Odometry::Odometry(const OdometryOptions& options) : tracker_(std::make_unique<T
 Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;
+
+bool Odometry::hasStarted() const { return tracker_->hasStarted(); }
+
+void Odometry::startFrom(const Eigen::Isometry3d& T_map_cam) { tracker_->startFrom(T_map_cam); }
 
 OdometryResult Odometry::track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures) {
   return tracker_->track(stamp_s, camera, staticFeatures);

@@ -27,6 +27,7 @@ SlamSystem::SlamSystem(const SlamOptions& options)
       filters_(options.filters, {segmenter_, readKnowledge(options), options.deterministic}),
       odometry_(options.odometry),
       map_(std::make_unique<graph::Mapper>(options.graph, options.odometry), !options.deterministic) {
+  requireValid(options.map_frame);
   addObserver(trajectory_);
 }
 
@@ -36,6 +37,7 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   filters_.begin(frame);                                                  // segmentation starts in its own thread,
   profiler_.time("features.extract", [&] { features_.extract(frame); });  // key points are found meanwhile,
   profiler_.time("filters.apply", [&] { filters_.apply(frame); });        // and what moves is marked
+  if (!odometry_.hasStarted()) odometry_.startFrom(startPose(options_.map_frame, frame));
   const auto odometry = profiler_.time("odometry.track", [&] {
     return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));
   });

@@ -108,6 +108,8 @@ core::Frame FrameBuilder::build(std::shared_ptr<CObservation3DRangeScan> observa
   core::Frame frame;
   frame.stamp_s = core::fromMrptTime(observation->timestamp);
   frame.camera = core::fromMrpt(observation->cameraParamsIntensity);
+  frame.T_base_cam =
+      core::fromMrpt(observation->sensorPose) * core::fromMrpt(observation->relativePoseIntensityWRTDepth);
 
   const auto image = observation->intensityImage.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
   if (image.channels() == 1) {

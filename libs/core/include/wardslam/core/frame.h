@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 #include <opencv2/core.hpp>
@@ -17,9 +18,10 @@ namespace wardslam::core {
 
 /// One RGB-D picture on its way through the pipeline. Each step fills its part; images share memory when copied.
 struct Frame {
-  std::uint64_t index = 0;  ///< Running number within the run, from 0.
-  double stamp_s = 0.0;     ///< UNIX time, UTC, of the colour image.
-  CameraModel camera;       ///< Of the colour image; depth is registered to it.
+  std::uint64_t index = 0;                                       ///< Running number within the run, from 0.
+  double stamp_s = 0.0;                                          ///< UNIX time, UTC, of the colour image.
+  CameraModel camera;                                            ///< Of the colour image; depth is registered to it.
+  Eigen::Isometry3d T_base_cam = Eigen::Isometry3d::Identity();  ///< The colour camera on the robot.
 
   cv::Mat color_bgr;  ///< CV_8UC3, raw (not undistorted).
   cv::Mat gray;       ///< CV_8UC1, raw.

@@ -45,8 +45,13 @@ class Odometry {
   Odometry(Odometry&&) noexcept;
   Odometry& operator=(Odometry&&) noexcept;
 
-  /// Finds the camera's pose from the static features of the next image. The map frame is the camera frame of the
-  /// first image that tracking could start from.
+  /// False until an image came that tracking could start from.
+  [[nodiscard]] bool hasStarted() const;
+
+  /// Where the camera is in the map frame when tracking starts: the identity unless told. Without effect later.
+  void startFrom(const Eigen::Isometry3d& T_map_cam);
+
+  /// Finds the camera's pose from the static features of the next image.
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures);
 
   /// Takes over better positions of points and keyframes; the camera moves along with the last keyframe.

@@ -8,6 +8,7 @@
 #include "wardslam/filters/filter_chain.h"
 #include "wardslam/graph/graph_options.h"
 #include "wardslam/odometry/odometry_options.h"
+#include "wardslam/pipeline/start_pose.h"
 #include "wardslam/segmentation/segmenter_factory.h"
 
 namespace wardslam::pipeline {
@@ -29,6 +30,7 @@ struct SlamOptions {
   segmentation::SegmentationOptions segmentation;
   KnowledgeOptions knowledge;
   core::ConfigNode filters = defaultFilters();  ///< List of {class_name, params}; see filters::FilterChain.
+  MapFrameOptions map_frame;
   odometry::OdometryOptions odometry;
   graph::GraphOptions graph;
 
@@ -48,6 +50,7 @@ struct SlamOptions {
     visit.group("features", self.features);
     visit.group("segmentation", self.segmentation);
     visit.group("knowledge", self.knowledge);
+    visit.group("map_frame", self.map_frame);
     visit.group("odometry", self.odometry);
     visit.group("graph", self.graph);
   }

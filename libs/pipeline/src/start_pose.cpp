@@ -1,0 +1,46 @@
+#include "wardslam/pipeline/start_pose.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "wardslam/core/errors.h"
+#include "wardslam/mapping/floor_finder.h"
+
+namespace wardslam::pipeline {
+namespace {
+
+constexpr double kQuaternionTolerance = 0.01;  // a quaternion written with two decimals is still one
+
+std::optional<Eigen::Isometry3d> parsePose(const std::string& text) {
+  std::istringstream numbers(text);
+  std::array<double, 7> pose{};
+  for (double& number : pose) numbers >> number;
+  std::string rest;
+  if (!numbers || numbers >> rest) return std::nullopt;
+  const Eigen::Quaterniond rotation(pose[6], pose[3], pose[4], pose[5]);
+  if (!(std::abs(rotation.norm() - 1.0) < kQuaternionTolerance)) return std::nullopt;
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() = rotation.normalized().toRotationMatrix();
+  T.translation() = Eigen::Vector3d(pose[0], pose[1], pose[2]);
+  return T;
+}
+
+}  // namespace
+
+void requireValid(const MapFrameOptions& options) {
+  if (options.start_pose.empty() || parsePose(options.start_pose)) return;
+  throw core::InputError("map_frame.start_pose: \"" + options.start_pose +
+                         "\" is not a pose; give seven numbers, x y z in metres and a unit quaternion qx qy qz qw");
+}
+
+Eigen::Isometry3d startPose(const MapFrameOptions& options, const core::Frame& firstFrame) {
+  requireValid(options);
+  if (!options.start_pose.empty()) return *parsePose(options.start_pose);
+  if (!options.level_with_floor) return firstFrame.T_base_cam;
+  return mapping::levelWithFloor(firstFrame.depth_m, firstFrame.camera, firstFrame.T_base_cam)
+      .value_or(firstFrame.T_base_cam);
+}
+
+}  // namespace wardslam::pipeline
