@@ -19,6 +19,8 @@ struct MappedKeyframe {
   double stamp_s = 0.0;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
   std::string zone;  ///< Innermost zone the camera was over; empty = none.
+  /// End points of what it saw free in a robot's way, from left to right, in its camera frame; see freeFan().
+  std::vector<Eigen::Vector3f> freeFan_cam_m;
 };
 
 /// The semantic map as plain data: what the builder makes, the map file stores, and queries read.

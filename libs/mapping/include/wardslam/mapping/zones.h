@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "wardslam/mapping/zone.h"
+
+namespace wardslam::mapping {
+
+/// The zones of a floor (P11). They may lie in each other: a place belongs to the smallest zone around it.
+class Zones {
+ public:
+  Zones() = default;
+
+  /// Throws core::InputError, naming the zone, for a name given twice or left out, fewer than 3 corners, a corner that
+  /// is no number, or sides that cross.
+  explicit Zones(std::vector<Zone> zones);
+
+  /// A YAML file `zones: [{name: clean, polygon: [[x, y], ...]}, ...]`, map frame, m. Throws core::InputError naming
+  /// file, line and key.
+  [[nodiscard]] static Zones fromFile(const std::filesystem::path& file);
+
+  [[nodiscard]] const std::vector<Zone>& all() const { return zones_; }
+
+  /// Name of the smallest zone around the place; empty where there is none. The border belongs to the zone.
+  [[nodiscard]] std::string at(const Eigen::Vector2d& p_map_m) const;
+
+ private:
+  std::vector<Zone> zones_;  ///< Smallest first.
+};
+
+}  // namespace wardslam::mapping

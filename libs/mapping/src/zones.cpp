@@ -1,0 +1,111 @@
+#include "wardslam/mapping/zones.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <set>
+#include <utility>
+
+#include "wardslam/core/errors.h"
+#include "wardslam/core/options.h"
+
+namespace wardslam::mapping {
+namespace {
+
+std::vector<cv::Point2f> contourOf(const Zone& zone) {
+  std::vector<cv::Point2f> contour;
+  for (const auto& corner : zone.polygon_m) {
+    contour.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
+  }
+  return contour;
+}
+
+/// > 0 when a, b, c turn to the left.
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const Eigen::Vector2d ab = b - a;
+  const Eigen::Vector2d ac = c - a;
+  return ab.x() * ac.y() - ab.y() * ac.x();
+}
+
+bool cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d) {
+  return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0;
+}
+
+bool crossesItself(const std::vector<Eigen::Vector2d>& polygon) {
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (cross(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n])) return true;
+    }
+  }
+  return false;
+}
+
+/// What is wrong with the zone; empty when nothing is.
+std::string whyUnusable(const Zone& zone) {
+  if (zone.polygon_m.size() < 3) return "needs at least 3 corners";
+  if (std::any_of(zone.polygon_m.begin(), zone.polygon_m.end(), [](const auto& p) { return !p.allFinite(); })) {
+    return "has a corner that is not a number";
+  }
+  if (crossesItself(zone.polygon_m)) return "has sides that cross; list its corners in order around it";
+  if (cv::contourArea(contourOf(zone)) <= 0.0) return "has no area";
+  return {};
+}
+
+Zone parseZone(const core::ConfigNode& node) {
+  node.requireKeys({"name", "polygon"});
+  Zone zone;
+  try {
+    zone.name = node.child("name").yaml().as<std::string>("");
+    const YAML::Node corners = node.child("polygon").yaml();
+    for (const auto& corner : corners) {
+      if (corner.size() != 2) node.fail("a corner of a polygon is a pair [x, y] in metres");
+      zone.polygon_m.emplace_back(corner[0].as<double>(), corner[1].as<double>());
+    }
+  } catch (const YAML::Exception&) {
+    node.fail("a zone has a name and a polygon [[x, y], ...] in metres");
+  }
+  return zone;
+}
+
+}  // namespace
+
+Zones::Zones(std::vector<Zone> zones) : zones_(std::move(zones)) {
+  std::set<std::string> names;
+  for (const Zone& zone : zones_) {
+    if (zone.name.empty()) throw core::InputError("a zone has no name; every zone needs one");
+    if (!names.insert(zone.name).second) throw core::InputError("zone \"" + zone.name + "\" is given twice");
+    if (const auto reason = whyUnusable(zone); !reason.empty()) {
+      throw core::InputError("zone \"" + zone.name + "\" " + reason);
+    }
+  }
+  std::stable_sort(zones_.begin(), zones_.end(), [](const Zone& a, const Zone& b) {
+    return cv::contourArea(contourOf(a)) < cv::contourArea(contourOf(b));
+  });
+}
+
+Zones Zones::fromFile(const std::filesystem::path& file) {
+  const auto root = core::ConfigNode::fromFile(file);
+  root.requireKeys({"zones"});
+  const auto list = root.child("zones");
+  if (!list.exists() || !list.yaml().IsSequence()) root.fail("needs a list \"zones\" of {name, polygon}");
+  std::vector<Zone> zones;
+  for (std::size_t i = 0; i < list.yaml().size(); ++i) zones.push_back(parseZone(list.item(i)));
+  try {
+    return Zones(std::move(zones));
+  } catch (const core::InputError& error) {
+    throw core::InputError(file.string() + ": " + error.what());
+  }
+}
+
+std::string Zones::at(const Eigen::Vector2d& p_map_m) const {
+  const cv::Point2f p(static_cast<float>(p_map_m.x()), static_cast<float>(p_map_m.y()));
+  const auto around = std::find_if(zones_.begin(), zones_.end(), [&](const Zone& zone) {
+    return cv::pointPolygonTest(contourOf(zone), p, false) >= 0.0;
+  });
+  return around == zones_.end() ? std::string() : around->name;
+}
+
+}  // namespace wardslam::mapping
