@@ -22,6 +22,7 @@
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
+#include "wardslam/pipeline/zone_watch.h"
 #include "wardslam/sources/observation_source.h"
 
 namespace wardslam::apps {
@@ -34,6 +35,7 @@ struct RunArguments {
   std::filesystem::path camera;
   std::filesystem::path masks;
   std::filesystem::path model;
+  std::filesystem::path zones;
   std::string filter;
   std::string mode;
   std::string startPose;
@@ -57,6 +59,7 @@ pipeline::SlamOptions effectiveOptions(const RunArguments& arguments) {
     options.segmentation.type = Segmenter::Yolo;
     options.segmentation.yolo.model = std::filesystem::absolute(arguments.model).string();
   }
+  if (!arguments.zones.empty()) options.zones.file = std::filesystem::absolute(arguments.zones).string();
   if (!arguments.startPose.empty()) options.map_frame.start_pose = arguments.startPose;
   options.deterministic = options.deterministic || arguments.deterministic;
   const bool hasMasks = options.segmentation.type != Segmenter::None;
@@ -150,7 +153,9 @@ void run(const RunArguments& arguments) {
 
   pipeline::RunStatistics statistics;
   PictureWriter pictures(arguments.out / "pictures", arguments.pictureInterval, slam.labelSpace());
+  pipeline::ZoneWatch zoneWatch(slam.zones());
   slam.addObserver(statistics);
+  slam.addObserver(zoneWatch);
   slam.addObserver(folder);
   slam.addObserver(pictures);
 
@@ -162,7 +167,7 @@ void run(const RunArguments& arguments) {
     failure = std::current_exception();  // what went well until then is written first
   }
   slam.finish();
-  folder.finish({statistics, source->damage(), slam, interruption.requested(), options.deterministic});
+  folder.finish({statistics, zoneWatch, source->damage(), slam, interruption.requested(), options.deterministic});
   if (failure) std::rethrow_exception(failure);
   if (!interruption.requested()) slam.requireSoundSetup();
   requireSoundInput(*source, statistics, trouble, arguments.input);
@@ -188,6 +193,7 @@ void addRunCommand(CLI::App& app) {
       ->add_option("--mode", arguments->mode,
                    "tracking waits for the masks of each frame, or takes the newest, carried to the frame")
       ->check(CLI::IsMember({"wait", "propagate"}));
+  command->add_option("--zones", arguments->zones, "named parts of the floor (YAML), in the map frame");
   command->add_option("--start-pose", arguments->startPose,
                       "where the first image was taken in the map frame, \"x y z qx qy qz qw\" (optical camera frame)");
   command->add_option("--max-frames", arguments->maxFrames, "stop after so many frames")->check(CLI::PositiveNumber);

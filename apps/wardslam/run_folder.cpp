@@ -47,6 +47,15 @@ nlohmann::ordered_json maskAgeJson(const pipeline::MaskAge& age) {
           {"p95_ms", age.p95_ms}};
 }
 
+nlohmann::ordered_json zonesJson(const std::map<std::string, pipeline::ZoneStay>& stays) {
+  auto zones = nlohmann::ordered_json::object();
+  for (const auto& [name, stay] : stays) {
+    zones[name.empty() ? "outside" : name] = {
+        {"time_s", rounded(stay.time_s, 3)}, {"distance_m", rounded(stay.distance_m, 3)}, {"entries", stay.entries}};
+  }
+  return zones;
+}
+
 nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json;
@@ -59,6 +68,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["submaps_joined"] = summary.slam.map().submapsJoined();
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
   json["mask_age"] = maskAgeJson(statistics.maskAge());
+  if (!summary.slam.zones().all().empty()) json["zones"] = zonesJson(summary.zones.stays());
   json["stages"] = stagesJson(summary.slam.profiler());
   json["fps"] = elapsed_s > 0 ? rounded(static_cast<double>(statistics.frames()) / elapsed_s, 2) : 0.0;
   json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);

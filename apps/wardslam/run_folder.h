@@ -8,6 +8,7 @@
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
+#include "wardslam/pipeline/zone_watch.h"
 #include "wardslam/storage/tum_trajectory.h"
 
 namespace wardslam::apps {
@@ -15,6 +16,7 @@ namespace wardslam::apps {
 /// What summary.json is made from.
 struct RunSummary {
   const pipeline::RunStatistics& statistics;
+  const pipeline::ZoneWatch& zones;
   const core::EventCounts& damage;
   const pipeline::SlamSystem& slam;  ///< Finished.
   bool interrupted;

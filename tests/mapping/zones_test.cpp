@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "support/temporary_folder.h"
+#include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::mapping {
@@ -69,6 +70,12 @@ TEST_F(ZonesFileTest, IsRead) {
                             "  polygon: [[0, 0], [4, 0], [4, 3.5], [0, 3.5]]\n"));
   ASSERT_EQ(zones.all().size(), 1U);
   EXPECT_EQ(zones.at({3.9, 3.4}), "clean");
+}
+
+TEST_F(ZonesFileTest, TheExampleIsOne) {
+  const auto zones = Zones::fromFile(core::findDataFile("zones/example.yaml", {}));
+  EXPECT_EQ(zones.at({7, 2}), "isolation area");
+  EXPECT_EQ(zones.at({2, 2}), "ward");
 }
 
 TEST_F(ZonesFileTest, ErrorsNameFileLineAndZone) {

@@ -35,6 +35,7 @@ SlamOptions readSlamOptions(const std::filesystem::path& file) {
   if (const auto filters = reader.opaque("filters"); filters.exists()) options.filters = filters;
   reader.finish();
   options.knowledge.file = located(options.knowledge.file, file);
+  if (!options.zones.file.empty()) options.zones.file = located(options.zones.file, file);
   return options;
 }
 

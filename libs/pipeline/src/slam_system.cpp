@@ -17,12 +17,18 @@ std::shared_ptr<const knowledge::KnowledgeGraph> readKnowledge(const SlamOptions
   return std::make_shared<knowledge::KnowledgeGraph>(knowledge::KnowledgeGraph::fromFile(file));
 }
 
+mapping::Zones readZones(const SlamOptions& options) {
+  if (options.zones.file.empty()) return {};
+  return mapping::Zones::fromFile(core::findDataFile(options.zones.file, options.file));
+}
+
 }  // namespace
 
 SlamSystem::SlamSystem(const SlamOptions& options)
     : options_(options),
       segmenter_(makeAsyncSegmenter(options.segmentation)),
       labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
+      zones_(readZones(options)),
       features_(options.features),
       filters_(options.filters, {segmenter_, readKnowledge(options), options.deterministic}),
       odometry_(options.odometry),

@@ -23,12 +23,23 @@ struct KnowledgeOptions {
   }
 };
 
+/// Section `zones:` of the configuration.
+struct ZoneOptions {
+  std::string file;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("file", self.file, "named parts of the floor, in the map frame; relative to this file; empty = none");
+  }
+};
+
 /// The whole configuration of a SlamSystem: one section per room.
 struct SlamOptions {
   bool deterministic = false;
   features::OrbOptions features;
   segmentation::SegmentationOptions segmentation;
   KnowledgeOptions knowledge;
+  ZoneOptions zones;
   core::ConfigNode filters = defaultFilters();  ///< List of {class_name, params}; see filters::FilterChain.
   MapFrameOptions map_frame;
   odometry::OdometryOptions odometry;
@@ -50,6 +61,7 @@ struct SlamOptions {
     visit.group("features", self.features);
     visit.group("segmentation", self.segmentation);
     visit.group("knowledge", self.knowledge);
+    visit.group("zones", self.zones);
     visit.group("map_frame", self.map_frame);
     visit.group("odometry", self.odometry);
     visit.group("graph", self.graph);

@@ -8,6 +8,7 @@
 #include "wardslam/core/profiler.h"
 #include "wardslam/features/orb_extractor.h"
 #include "wardslam/filters/filter_chain.h"
+#include "wardslam/mapping/zones.h"
 #include "wardslam/odometry/odometry.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/map_keeper.h"
@@ -49,12 +50,14 @@ class SlamSystem {
   [[nodiscard]] std::string configuration() const;
 
   [[nodiscard]] const core::LabelSpace& labelSpace() const { return labels_; }
+  [[nodiscard]] const mapping::Zones& zones() const { return zones_; }
   [[nodiscard]] const core::Profiler& profiler() const { return profiler_; }
 
  private:
   SlamOptions options_;
   std::shared_ptr<segmentation::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
   core::LabelSpace labels_;
+  mapping::Zones zones_;
   sources::FrameBuilder frameBuilder_;
   features::OrbExtractor features_;
   filters::FilterChain filters_;
