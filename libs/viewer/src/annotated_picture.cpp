@@ -8,19 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "drawing.h"
+
 namespace wardslam::viewer {
 namespace {
 
 const cv::Vec3b kStaticColor(90, 220, 90);
 const cv::Vec3b kDynamicColor(60, 60, 245);
-const cv::Scalar kPaper(32, 30, 28);
-const cv::Scalar kInk(245, 245, 245);
 constexpr double kDynamicOpacity = 0.5;
 constexpr double kStaticOpacity = 0.28;
-constexpr double kPaperOpacity = 0.72;
-constexpr double kTextScale = 0.4;
-constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr int kPadding_px = 3;
 /// Smaller things keep their mask, but a tag would cover more than the thing.
 constexpr double kSmallestTagged = 0.004;  // of the image
 
@@ -33,15 +29,6 @@ cv::Vec3b colorOf(core::ClassId id) {
   cv::Mat bgr;
   cv::cvtColor(hsv, bgr, cv::COLOR_HSV2BGR);
   return bgr.at<cv::Vec3b>(0, 0);
-}
-
-/// An empty mask means all of it.
-void blend(cv::Mat picture, const cv::Scalar& color, double opacity, const cv::Mat& mask = {}) {
-  if (picture.empty()) return;
-  const cv::Mat paint(picture.size(), picture.type(), color);
-  cv::Mat blended;
-  cv::addWeighted(picture, 1.0 - opacity, paint, opacity, 0.0, blended);
-  mask.empty() ? blended.copyTo(picture) : blended.copyTo(picture, mask);
 }
 
 /// Takes the colours out, so that what is painted over it shows true.
@@ -76,19 +63,6 @@ std::map<int, Count> countByInstance(const core::Frame& frame) {
     ++(keypoint.motion == core::Motion::Dynamic ? count.ofDynamic : count.ofStatic);
   }
   return counts;
-}
-
-/// One line of text on a strip of paper; `corner` is its top left and is moved where the picture ends.
-void writeTag(cv::Mat& picture, const std::string& text, cv::Point corner, const cv::Scalar& paper) {
-  int baseline = 0;
-  const cv::Size ink = cv::getTextSize(text, kFont, kTextScale, 1, &baseline);
-  const cv::Size strip(ink.width + 2 * kPadding_px, ink.height + 2 * kPadding_px + 1);
-  corner.x = std::clamp(corner.x, 0, std::max(0, picture.cols - strip.width));
-  corner.y = std::clamp(corner.y, 0, std::max(0, picture.rows - strip.height));
-  const cv::Rect area = cv::Rect(corner, strip) & cv::Rect({0, 0}, picture.size());
-  blend(picture(area), paper, kPaperOpacity);
-  cv::putText(picture, text, corner + cv::Point(kPadding_px, kPadding_px + ink.height), kFont, kTextScale, kInk, 1,
-              cv::LINE_AA);
 }
 
 std::string tagOf(const core::Instance& instance, const core::LabelSpace& labels) {

@@ -1,0 +1,207 @@
+#include "wardslam/viewer/plan_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <vector>
+
+#include "drawing.h"
+
+namespace wardslam::viewer {
+namespace {
+
+using mapping::FloorPlan;
+using mapping::MapObject;
+using mapping::ObjectState;
+
+const cv::Scalar kUnknownFloor(228, 226, 224);
+const cv::Scalar kFreeFloor(255, 255, 255);
+const cv::Scalar kWall(120, 112, 104);
+const cv::Scalar kDarkInk(60, 52, 44);
+const cv::Scalar kWay(200, 80, 20);
+constexpr double kLongerSide_px = 1500.0;
+constexpr double kMaxScale_px_per_m = 160.0;
+constexpr double kZoneOpacity = 0.14;
+constexpr double kObjectOpacity = 0.30;
+constexpr double kCeiling_m = 2.2;  // what hangs higher would cover what stands below
+
+/// From map coordinates to the pixels of a picture whose rows go down as y goes up.
+class Raster {
+ public:
+  explicit Raster(const Eigen::AlignedBox2d& extent) : extent_(extent) {
+    scale_px_per_m_ = std::min(kMaxScale_px_per_m, kLongerSide_px / std::max(1.0, extent.sizes().maxCoeff()));
+  }
+
+  [[nodiscard]] cv::Size size() const {
+    return {std::max(1, toPixels(extent_.sizes().x())), std::max(1, toPixels(extent_.sizes().y()))};
+  }
+  [[nodiscard]] cv::Point at(const Eigen::Vector2d& p_map_m) const {
+    return {toPixels(p_map_m.x() - extent_.min().x()), toPixels(extent_.max().y() - p_map_m.y())};
+  }
+  [[nodiscard]] int toPixels(double length_m) const { return cvRound(length_m * scale_px_per_m_); }
+
+ private:
+  Eigen::AlignedBox2d extent_;
+  double scale_px_per_m_ = 1.0;
+};
+
+Eigen::AlignedBox2d extentOf(const mapping::SemanticMap& map) {
+  Eigen::AlignedBox2d extent;
+  const auto& plan = map.floorPlan;
+  if (!plan.cells.empty()) {
+    extent.extend(plan.origin_m);
+    extent.extend(plan.origin_m + plan.resolution_m * Eigen::Vector2d(plan.cells.cols, plan.cells.rows));
+  }
+  for (const auto& [id, keyframe] : map.keyframes) extent.extend(keyframe.T_map_cam.translation().head<2>());
+  for (const auto& [id, object] : map.objects) {
+    extent.extend(object.box_m.min().head<2>());
+    extent.extend(object.box_m.max().head<2>());
+  }
+  if (extent.isEmpty()) extent.extend(Eigen::Vector2d::Zero());
+  constexpr double kMargin_m = 0.3;
+  extent.extend(extent.min() - Eigen::Vector2d::Constant(kMargin_m));
+  extent.extend(extent.max() + Eigen::Vector2d::Constant(kMargin_m));
+  return extent;
+}
+
+/// Corners of the box's outline on the floor, in order.
+std::vector<Eigen::Vector2d> footprint(const mapping::OrientedBox& box) {
+  const Eigen::Vector3d half = box.size_m / 2.0;
+  std::vector<Eigen::Vector2d> corners;
+  for (const auto& [x, y] : {std::array{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+    corners.emplace_back((box.T_map_box * Eigen::Vector3d(x * half.x(), y * half.y(), 0.0)).head<2>());
+  }
+  return corners;
+}
+
+class PlanPainter {
+ public:
+  explicit PlanPainter(const mapping::SemanticMap& map)
+      : map_(map), raster_(extentOf(map)), picture_(raster_.size(), CV_8UC3, kUnknownFloor) {}
+
+  [[nodiscard]] cv::Mat paint() {
+    paintFloor();
+    paintCloud();
+    for (const auto& zone : map_.zones) paintZone(zone);
+    paintWay();
+    for (const auto& [id, object] : map_.objects) paintObject(object);
+    for (const auto& [id, object] : map_.objects) nameObject(object);
+    paintScaleBar();
+    return picture_;
+  }
+
+ private:
+  void paintFloor();
+  void paintCloud();
+  void paintZone(const mapping::Zone& zone);
+  void paintWay();
+  void paintObject(const MapObject& object);
+  void nameObject(const MapObject& object);
+  void paintScaleBar();
+  [[nodiscard]] std::vector<cv::Point> outline(const std::vector<Eigen::Vector2d>& corners_m) const;
+
+  const mapping::SemanticMap& map_;
+  const Raster raster_;
+  cv::Mat picture_;
+};
+
+std::vector<cv::Point> PlanPainter::outline(const std::vector<Eigen::Vector2d>& corners_m) const {
+  std::vector<cv::Point> corners;
+  for (const auto& corner_m : corners_m) corners.push_back(raster_.at(corner_m));
+  return corners;
+}
+
+void PlanPainter::paintFloor() {
+  const FloorPlan& plan = map_.floorPlan;
+  for (int row = 0; row < plan.cells.rows; ++row) {
+    for (int column = 0; column < plan.cells.cols; ++column) {
+      const auto cell = plan.cells.at<unsigned char>(row, column);
+      if (cell == FloorPlan::kUnknown) continue;
+      const cv::Point lower = raster_.at(plan.origin_m + plan.resolution_m * Eigen::Vector2d(column, row));
+      const cv::Point upper = raster_.at(plan.origin_m + plan.resolution_m * Eigen::Vector2d(column + 1, row + 1));
+      cv::rectangle(picture_, cv::Rect(lower, upper), cell == FloorPlan::kFree ? kFreeFloor : kWall, cv::FILLED);
+    }
+  }
+}
+
+/// Higher points cover lower ones; the floor itself stays white.
+void PlanPainter::paintCloud() {
+  constexpr float kFloor_m = 0.05F;
+  cv::Mat height_m(picture_.size(), CV_32FC1, cv::Scalar(kFloor_m));
+  const int size_px = std::max(1, raster_.toPixels(0.02));
+  for (const auto& [id, tile] : map_.cloud) {
+    const auto keyframe = map_.keyframes.find(id);
+    if (keyframe == map_.keyframes.end()) continue;
+    for (const auto& point : tile.points) {
+      const Eigen::Vector3d p = keyframe->second.T_map_cam * point.p_cam_m.cast<double>();
+      const cv::Rect dot =
+          cv::Rect(raster_.at(p.head<2>()), cv::Size(size_px, size_px)) & cv::Rect({0, 0}, picture_.size());
+      if (dot.empty() || p.z() > kCeiling_m || p.z() <= static_cast<double>(height_m.at<float>(dot.tl()))) continue;
+      height_m(dot).setTo(p.z());
+      picture_(dot).setTo(cv::Scalar(point.color_rgb[2], point.color_rgb[1], point.color_rgb[0]));
+    }
+  }
+}
+
+void PlanPainter::paintZone(const mapping::Zone& zone) {
+  const auto corners = outline(zone.polygon_m);
+  cv::Mat mask(picture_.size(), CV_8UC1, cv::Scalar(0));
+  cv::fillPoly(mask, std::vector{corners}, cv::Scalar(255));
+  const std::size_t number = static_cast<std::size_t>(&zone - map_.zones.data());
+  static const std::array<cv::Scalar, 4> kColors{{{60, 160, 40}, {30, 150, 230}, {40, 50, 210}, {190, 90, 160}}};
+  const cv::Scalar& color = kColors.at(number % kColors.size());
+  blend(picture_, color, kZoneOpacity, mask);
+  cv::polylines(picture_, std::vector{corners}, true, color, 2, cv::LINE_AA);
+  const cv::Rect inside = cv::boundingRect(corners) & cv::Rect({0, 0}, picture_.size());
+  writeTag(picture_, zone.name, inside.tl() + cv::Point(4, 4), color * 0.6);
+}
+
+void PlanPainter::paintWay() {
+  std::vector<cv::Point> way;
+  for (const auto& [id, keyframe] : map_.keyframes)
+    way.push_back(raster_.at(keyframe.T_map_cam.translation().head<2>()));
+  if (way.empty()) return;
+  cv::polylines(picture_, std::vector{way}, false, kWay, 2, cv::LINE_AA);
+  cv::circle(picture_, way.front(), 6, kWay, 2, cv::LINE_AA);
+  cv::circle(picture_, way.back(), 6, kWay, cv::FILLED, cv::LINE_AA);
+}
+
+void PlanPainter::paintObject(const MapObject& object) {
+  const cv::Scalar color(object.color_rgb[2], object.color_rgb[1], object.color_rgb[0]);
+  const auto corners = outline(footprint(object.orientedBox));
+  if (object.state != ObjectState::Gone) {
+    cv::Mat mask(picture_.size(), CV_8UC1, cv::Scalar(0));
+    cv::fillConvexPoly(mask, corners, cv::Scalar(255));
+    blend(picture_, color, kObjectOpacity, mask);
+  }
+  cv::polylines(picture_, std::vector{corners}, true, color * 0.7, 2, cv::LINE_AA);
+}
+
+void PlanPainter::nameObject(const MapObject& object) {
+  const std::string& name = map_.labels.name(object.classId);
+  std::string text =
+      (name.empty() ? "class " + std::to_string(object.classId) : name) + " " + std::to_string(object.id);
+  if (object.state == ObjectState::Gone) text += " (gone)";
+  if (object.state == ObjectState::Moved) text += " (moved)";
+  const cv::Scalar color(object.color_rgb[2], object.color_rgb[1], object.color_rgb[0]);
+  int baseline = 0;
+  const cv::Size ink = cv::getTextSize(text, kFont, kTextScale, 1, &baseline);
+  const cv::Point centre = raster_.at(object.orientedBox.T_map_box.translation().head<2>());
+  writeTag(picture_, text, centre - cv::Point(ink.width / 2 + kPadding_px, ink.height / 2 + kPadding_px), color * 0.45);
+}
+
+void PlanPainter::paintScaleBar() {
+  const int metre_px = raster_.toPixels(1.0);
+  const cv::Point left(12, picture_.rows - 14);
+  if (left.y < 14 || metre_px + 24 > picture_.cols) return;
+  cv::line(picture_, left, left + cv::Point(metre_px, 0), kDarkInk, 3);
+  cv::putText(picture_, "1 m", left + cv::Point(4, -6), kFont, kTextScale, kDarkInk, 1, cv::LINE_AA);
+}
+
+}  // namespace
+
+cv::Mat drawPlan(const mapping::SemanticMap& map) { return PlanPainter(map).paint(); }
+
+}  // namespace wardslam::viewer
