@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "dynamic_truth.h"
 #include "wardslam/core/event_counts.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/run_statistics.h"
@@ -19,6 +20,7 @@ struct RunSummary {
   const pipeline::ZoneWatch& zones;
   const core::EventCounts& damage;
   const pipeline::SlamSystem& slam;  ///< Finished.
+  const DynamicTruth* truth;         ///< Null: not compared.
   bool interrupted;
   bool deterministic;
 };

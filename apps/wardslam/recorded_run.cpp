@@ -1,0 +1,127 @@
+#include "recorded_run.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <iostream>
+
+#include "dynamic_truth.h"
+#include "picture_writer.h"
+#include "run_folder.h"
+#include "support/playback_clock.h"
+#include "support/progress.h"
+#include "wardslam/core/errors.h"
+#include "wardslam/core/mrpt_compat.h"
+#include "wardslam/pipeline/run_statistics.h"
+#include "wardslam/pipeline/slam_system.h"
+#include "wardslam/pipeline/zone_watch.h"
+#include "wardslam/sources/observation_source.h"
+
+namespace wardslam::apps {
+namespace {
+
+/// The first sentence about input that cannot be used. It is told when the run is over, not between two redraws of
+/// the progress line.
+class InputTrouble {
+ public:
+  void add(const std::string& sentence) {
+    if (first_.empty()) first_ = sentence;
+  }
+  [[nodiscard]] const std::string& first() const { return first_; }
+
+ private:
+  std::string first_;
+};
+
+sources::SourceOptions sourceOptions(const RecordedRun& run, InputTrouble& trouble) {
+  sources::SourceOptions options;
+  if (!run.camera.empty()) options.camera = run.camera;
+  options.warn = [&trouble](const std::string& sentence) { trouble.add(sentence); };
+  return options;
+}
+
+std::optional<std::size_t> expectedFrames(const sources::ObservationSource& source, const RecordedRun& run) {
+  const auto size = source.size();
+  if (!run.maxFrames) return size;
+  return size ? std::min(*size, *run.maxFrames) : *run.maxFrames;
+}
+
+/// Feeds the source to the system until it ends, enough frames were done, or the user interrupts.
+void processAll(sources::ObservationSource& source, pipeline::SlamSystem& slam, pipeline::RunStatistics& statistics,
+                InputTrouble& trouble, const RecordedRun& run, const InterruptionGuard& interruption) {
+  Progress progress(std::cerr, standardErrorIsTerminal(), run.progressUnit, expectedFrames(source, run));
+  PlaybackClock clock;
+  while (!interruption.requested() && statistics.frames() < run.maxFrames.value_or(SIZE_MAX)) {
+    const auto observation = source.next();
+    if (!observation) break;
+    if (run.realtime) clock.waitFor(core::fromMrptTime(observation->timestamp));
+    try {
+      slam.process(observation);
+    } catch (const core::FrameError& error) {
+      trouble.add(run.input.string() + ": " + error.what());
+      statistics.addUnusable();
+    }
+    progress.update(statistics.frames());
+  }
+}
+
+/// The run is written in full by now; what was wrong with its input still makes it a failure.
+void requireSoundInput(const sources::ObservationSource& source, const pipeline::RunStatistics& statistics,
+                       const InputTrouble& trouble, const std::filesystem::path& input) {
+  std::size_t unusable = statistics.unusableFrames();
+  for (const auto& [kind, count] : source.damage()) unusable += count;
+  if (unusable > 1) {
+    throw core::InputError(trouble.first() + " (the first of " + std::to_string(unusable) +
+                           " parts of the input that could not be used; summary.json counts them by kind)");
+  }
+  if (unusable == 1) throw core::InputError(trouble.first());
+  if (statistics.frames() > 0 && statistics.framesTracked() == 0) {
+    throw core::InputError(input.string() +
+                           ": no frame could be tracked; does every image have texture and depth, and is the camera "
+                           "file the right one?");
+  }
+}
+
+}  // namespace
+
+bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
+  InputTrouble trouble;
+  const auto source = sources::openSource(run.input, sourceOptions(run, trouble));
+  pipeline::SlamSystem slam(run.options);
+  std::optional<DynamicTruth> truth;
+  if (!run.dynamicTruth.empty()) truth.emplace(run.dynamicTruth);
+  RunFolder folder(run.out);
+  folder.writeConfiguration(slam.configuration());
+
+  pipeline::RunStatistics statistics;
+  PictureWriter pictures(run.out / "pictures", run.pictureInterval, slam.labelSpace());
+  pipeline::ZoneWatch zoneWatch(slam.zones());
+  slam.addObserver(statistics);
+  slam.addObserver(zoneWatch);
+  slam.addObserver(folder);
+  slam.addObserver(pictures);
+  if (truth) slam.addObserver(*truth);
+
+  std::exception_ptr failure;
+  try {
+    processAll(*source, slam, statistics, trouble, run, interruption);
+  } catch (const core::InputError&) {
+    failure = std::current_exception();  // what went well until then is written first
+  }
+  slam.finish();
+  const bool isInterrupted = interruption.requested();
+  folder.finish({statistics, zoneWatch, source->damage(), slam, truth ? &*truth : nullptr, isInterrupted,
+                 run.options.deterministic});
+  if (failure) std::rethrow_exception(failure);
+  if (!isInterrupted) slam.requireSoundSetup();
+  requireSoundInput(*source, statistics, trouble, run.input);
+  if (truth && statistics.frames() > 0 && truth->frames() == 0) {
+    throw core::InputError(run.dynamicTruth.string() +
+                           ": no image belongs to any frame; they must be named by the stamps of the colour images");
+  }
+  return !isInterrupted;
+}
+
+}  // namespace wardslam::apps

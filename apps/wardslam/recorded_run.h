@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "support/interruption.h"
+#include "wardslam/pipeline/slam_options.h"
+
+namespace wardslam::apps {
+
+/// A recording to track through, and where the results go.
+struct RecordedRun {
+  std::filesystem::path input;
+  std::filesystem::path camera;  ///< Empty: that of the recording.
+  std::filesystem::path out;
+  pipeline::SlamOptions options;
+  std::optional<std::size_t> maxFrames;
+  std::filesystem::path dynamicTruth;  ///< See DynamicTruth; empty: none.
+  bool realtime = false;               ///< Frames come no faster than they were recorded.
+  std::size_t pictureInterval = 0;     ///< Every so many frames a picture; 0: none.
+  std::string progressUnit = "frame";
+};
+
+/// Tracks through it and writes a RunFolder. Throws core::InputError when the input was unsound; what could be made of
+/// it is written all the same. False: interrupted.
+bool perform(const RecordedRun& run, const InterruptionGuard& interruption);
+
+}  // namespace wardslam::apps

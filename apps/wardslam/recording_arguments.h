@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "wardslam/pipeline/slam_options.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming)
+class App;
+}
+
+namespace wardslam::apps {
+
+/// What the commands that track through a recording are told about it.
+struct RecordingArguments {
+  std::filesystem::path input;
+  std::filesystem::path out;
+  std::filesystem::path config;
+  std::filesystem::path camera;
+  std::filesystem::path masks;
+  std::filesystem::path model;
+  std::filesystem::path zones;
+  std::filesystem::path dynamicTruth;
+  std::string filter;
+  std::string mode;
+  std::string startPose;
+  std::optional<std::size_t> maxFrames;
+  bool deterministic = false;
+};
+
+/// INPUT, --out, --config, --camera, --masks, --model, --mode, --zones, --start-pose, --max-frames, --dynamic-truth.
+void addRecordingArguments(CLI::App& command, RecordingArguments& arguments);
+
+/// The configuration file, overruled by the command line. Throws UsageError for arguments that contradict each other.
+[[nodiscard]] pipeline::SlamOptions effectiveOptions(const RecordingArguments& arguments);
+
+}  // namespace wardslam::apps
