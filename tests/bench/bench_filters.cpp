@@ -90,13 +90,11 @@ BENCHMARK(distanceOfAll)->Unit(benchmark::kMicrosecond);
 
 void annotateObservation(benchmark::State& state) {
   const knowledge::MotionRules rules(hospital(), core::LabelSpace::coco());
-  filters::DynamicTest test(rules, {});
   const core::Segmentation scene = wardScene();
   const cv::Mat moving = scene.classIds == 1;
   mrpt::obs::CObservation3DRangeScan observation;
   for (auto _ : state) {
-    test.setImage(scene.classIds);
-    core::annotate(observation, filters::motionLabels(scene, moving, rules, test));
+    core::annotate(observation, filters::motionLabels(scene, moving, rules));
   }
 }
 BENCHMARK(annotateObservation)->Unit(benchmark::kMicrosecond);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include "filters/depth_scene.h"
 #include "filters/ward_fixture.h"
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/errors.h"
@@ -18,7 +19,7 @@ using namespace ward;
 
 constexpr int kWidth = 80;
 constexpr int kHeight = 60;
-constexpr const char* kSmallSquare = "{n: 5, delta: 4, margin_px: 0}";
+constexpr const char* kSmallSquare = "{rule: paper, n: 5, delta: 4, margin_px: 0}";
 
 void put(core::Segmentation& segmentation, core::ClassId c, cv::Rect box) {
   const auto id = static_cast<std::uint16_t>(segmentation.instances.size() + 1);
@@ -112,7 +113,7 @@ TEST_F(SemanticDynamicFilterTest, AppliesWithoutABeginToo) {
 TEST_F(SemanticDynamicFilterTest, AMarginWidensPeopleOnly) {
   const std::vector<core::Keypoint> around = {keypointAt(17, 20), keypointAt(16, 20), keypointAt(30, 42),
                                               keypointAt(30, 43), keypointAt(42, 22), keypointAt(48, 20)};
-  configure("{n: 5, delta: 24, margin_px: 3}");
+  configure("{rule: paper, n: 5, delta: 24, margin_px: 3}");
   const auto keypoints = run(around).features.keypoints;
   EXPECT_EQ(keypoints[0].motion, Motion::Dynamic) << "three pixels left of the person";
   EXPECT_EQ(keypoints[1].motion, Motion::Static) << "four pixels left";
@@ -121,14 +122,14 @@ TEST_F(SemanticDynamicFilterTest, AMarginWidensPeopleOnly) {
   EXPECT_EQ(keypoints[4].motion, Motion::Dynamic) << "on the cup, within the margin";
   EXPECT_EQ(keypoints[5].motion, Motion::Static) << "chairs are not widened";
 
-  configure("{n: 5, delta: 24, margin_px: 0}");
+  configure("{rule: paper, n: 5, delta: 24, margin_px: 0}");
   for (const auto& keypoint : run(around).features.keypoints) EXPECT_EQ(keypoint.motion, Motion::Static);
 }
 
 TEST_F(SemanticDynamicFilterTest, AMarginLeavesEachMoverItsOwnPixels) {
   // A dog (the higher id) beside the person must not grow over him: it could not move the cup he holds.
   put(result_->segmentation, kDog, {36, 10, 4, 30});
-  configure("{n: 3, delta: 2, margin_px: 2}");
+  configure("{rule: paper, n: 3, delta: 2, margin_px: 2}");
   EXPECT_EQ(run({keypointAt(43, 22)}).features.keypoints[0].motion, Motion::Static)
       << "beside the dog, widened to column 41";
   result_->segmentation.classIds(cv::Rect(36, 10, 4, 30)).setTo(kPerson);
@@ -144,7 +145,7 @@ TEST_F(SemanticDynamicFilterTest, AnnotatesPixelsByMeaning) {
   const int movable = bitOf(PixelLabel::Movable);
   EXPECT_EQ(labelsAt(frame, 30, 20), person | dynamic);
   EXPECT_EQ(labelsAt(frame, 41, 22), thing | movable | dynamic) << "cup in the hand";
-  EXPECT_EQ(labelsAt(frame, 43, 24), thing | movable | dynamic) << "all of the cup";
+  EXPECT_EQ(labelsAt(frame, 43, 24), thing | movable) << "its far end";
   EXPECT_EQ(labelsAt(frame, 60, 20), thing | movable) << "chair nobody touches";
   EXPECT_EQ(labelsAt(frame, 30, 50), thing) << "bed";
   EXPECT_EQ(labelsAt(frame, 5, 5), 0);
@@ -159,25 +160,99 @@ TEST_F(SemanticDynamicFilterTest, AnnotatesTheConfidenceImage) {
   EXPECT_EQ(confidenceAt(frame, 60, 20), 255);
   const cv::Mat image = frame.observation->confidenceImage.asCvMatRef();
   EXPECT_EQ(image.size(), cv::Size(kWidth, kHeight));
-  EXPECT_EQ(cv::countNonZero(image == 0), 20 * 30 + 4 * 5) << "the person and the cup";
+  EXPECT_EQ(cv::countNonZero(image == 0), 20 * 30 + 2 * 5) << "the person and half of the cup";
 }
 
-TEST_F(SemanticDynamicFilterTest, AThingIsDynamicAsAWholeOnceHalfOfItIs) {
-  // Within two pixels of the person lies half of a thing four pixels wide, and less of a wider one.
-  configure("{n: 5, delta: 0, margin_px: 0}");
-  EXPECT_EQ(labelsAt(run({}), 43, 22) & bitOf(PixelLabel::Dynamic), bitOf(PixelLabel::Dynamic));
-  put(result_->segmentation, kCup, {40, 20, 8, 5});
-  const core::Frame frame = run({});
-  EXPECT_EQ(labelsAt(frame, 40, 22) & bitOf(PixelLabel::Dynamic), 0);
+TEST_F(SemanticDynamicFilterTest, ByThePapersRulePixelsAreDynamicAsKeyPointsAre) {
+  configure("{rule: paper, n: 5, delta: 6, margin_px: 0}");
+  std::vector<core::Keypoint> everywhere;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) everywhere.push_back(keypointAt(static_cast<float>(x), static_cast<float>(y)));
+  }
+  const core::Frame frame = run(everywhere);
+  for (const auto& keypoint : frame.features.keypoints) {
+    const auto [x, y] = std::pair(static_cast<int>(keypoint.raw_px.x), static_cast<int>(keypoint.raw_px.y));
+    EXPECT_EQ(confidenceAt(frame, x, y) == 0, keypoint.motion == Motion::Dynamic) << x << ", " << y;
+  }
+  EXPECT_EQ(confidenceAt(frame, 40, 22), 0) << "ten pixels of the person in the square";
+  EXPECT_EQ(confidenceAt(frame, 41, 22), 255) << "five of them";
 }
 
-TEST_F(SemanticDynamicFilterTest, WithoutInstancesOnlyMovingClassesAreDynamic) {
-  configure(kSmallSquare);
+TEST_F(SemanticDynamicFilterTest, ThingsTooSmallForAnInstanceAreLeftToThePapersRule) {
+  configure("{rule: observed, n: 5, delta: 4, margin_px: 0}");
   result_->segmentation.instances.clear();
   result_->segmentation.instanceIds.release();
-  const core::Frame frame = run({keypointAt(41, 22)});
-  EXPECT_EQ(frame.features.keypoints[0].motion, Motion::Dynamic) << "the test on key points is not concerned";
-  EXPECT_EQ(cv::countNonZero(frame.observation->confidenceImage.asCvMatRef() == 0), 20 * 30);
+  const core::Frame frame = run({keypointAt(41, 22), keypointAt(60, 20)});
+  EXPECT_EQ(frame.features.keypoints[0].motion, Motion::Dynamic);
+  EXPECT_EQ(frame.features.keypoints[1].motion, Motion::Static);
+}
+
+/// The same ward with depth: a wall 3 m away, a person at 2 m, and a chair beside him.
+class ObservedRule : public SemanticDynamicFilterTest {
+ protected:
+  ObservedRule() {
+    scene_.add({1, kPerson, {-0.5, 0.0, 2.0}, 0.4, 1.2});
+    scene_.add({2, kChair, {0.0, 0.0, 2.0}, 0.6, 0.5});
+    configure("{rule: observed, n: 21, delta: 55, margin_px: 0}");
+  }
+
+  /// So many images of the chair at this speed (m/s); the last one, with key points on the near and the far end of it.
+  core::Frame watch(int images, double speed) {
+    core::Frame frame;
+    for (int i = 0; i < images; ++i) {
+      frame = scene_.frame(time_s_);
+      result_->segmentation = frame.segmentation;
+      frame.segmentation = {};
+      frame.color_bgr = cv::Mat(frame.gray.size(), CV_8UC3, cv::Scalar::all(0));
+      const auto& chair = result_->segmentation.instances[1].box_px;
+      const auto middle = static_cast<float>(chair.y + chair.height / 2);
+      frame.features.keypoints = {keypointAt(static_cast<float>(chair.x + 1), middle),
+                                  keypointAt(static_cast<float>(chair.br().x - 2), middle),
+                                  keypointAt(static_cast<float>(result_->segmentation.instances[0].box_px.x), middle)};
+      filter_.apply(frame);
+      filter_.end(frame, Eigen::Isometry3d::Identity());
+      time_s_ += test::kFrameTime_s;
+      scene_.thing(0).p_map_m.x() += speed * test::kFrameTime_s;
+      scene_.thing(1).p_map_m.x() += speed * test::kFrameTime_s;
+    }
+    return frame;
+  }
+
+  static std::vector<Motion> motions(const core::Frame& frame) {
+    std::vector<Motion> result;
+    for (const auto& keypoint : frame.features.keypoints) result.push_back(keypoint.motion);
+    return result;
+  }
+
+  test::DepthScene scene_;
+  double time_s_ = 1.0;
+};
+
+TEST_F(ObservedRule, AtFirstItIsCautiousNearThePerson) {
+  EXPECT_THAT(motions(watch(1, 0.0)), testing::ElementsAre(Motion::Dynamic, Motion::Static, Motion::Dynamic));
+}
+
+TEST_F(ObservedRule, AChairThatStaysHelpsSoon) {
+  EXPECT_THAT(motions(watch(25, 0.0)), testing::ElementsAre(Motion::Static, Motion::Static, Motion::Dynamic));
+}
+
+TEST_F(ObservedRule, AChairThatIsPushedGoesAsAWhole) {
+  EXPECT_THAT(motions(watch(18, 0.4)), testing::ElementsAre(Motion::Dynamic, Motion::Dynamic, Motion::Dynamic));
+}
+
+TEST_F(ObservedRule, WhatMovesIsWidened) {
+  configure("{rule: observed, margin_px: 3}");
+  const cv::Rect chair = watch(18, 0.4).segmentation.instances[1].box_px;
+  core::Frame frame = scene_.frame(time_s_);
+  result_->segmentation = frame.segmentation;
+  const cv::Rect now = result_->segmentation.instances[1].box_px;
+  ASSERT_GT(now.x, chair.x - 1);
+  frame.segmentation = {};
+  const auto y = static_cast<float>(now.y + 20);
+  const auto right = static_cast<float>(now.br().x - 1);
+  frame.features.keypoints = {keypointAt(right + 3, y), keypointAt(right + 4, y)};
+  filter_.apply(frame);
+  EXPECT_THAT(motions(frame), testing::ElementsAre(Motion::Dynamic, Motion::Static));
 }
 
 TEST_F(SemanticDynamicFilterTest, DoesNotAnnotateUnlessItCan) {
@@ -218,7 +293,7 @@ TEST_F(SemanticDynamicFilterTest, MasksOfAnotherSizeCountAsNone) {
 }
 
 TEST_F(SemanticDynamicFilterTest, PropagationGetsItsMasksLater) {
-  configure("{mode: propagate, latency_frames: 2, n: 5, delta: 4, margin_px: 0}");
+  configure("{mode: propagate, latency_frames: 2, rule: paper, n: 5, delta: 4, margin_px: 0}");
   for (std::uint64_t i = 0; i < 4; ++i) {
     core::Frame frame = frameOf({keypointAt(30, 20)});
     frame.index = i;

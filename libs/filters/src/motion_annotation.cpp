@@ -1,7 +1,5 @@
 #include "wardslam/filters/motion_annotation.h"
 
-#include <algorithm>
-
 #include "wardslam/core/annotation.h"
 
 namespace wardslam::filters {
@@ -21,39 +19,13 @@ cv::Mat bitsOfClasses(const knowledge::MotionRules& rules) {
   return bits;
 }
 
-/// Asks at a grid of its pixels: as true as asking at all of them, and cheap.
-bool isMostlyDynamic(const cv::Mat& mask, cv::Point origin, DynamicTest& test) {
-  const int step = std::clamp(std::min(mask.rows, mask.cols) / 8, 1, 8);
-  int asked = 0;
-  int dynamic = 0;
-  for (int y = step / 2; y < mask.rows; y += step) {
-    for (int x = step / 2; x < mask.cols; x += step) {
-      if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      ++asked;
-      if (test.at(origin + cv::Point(x, y)) == core::Motion::Dynamic) ++dynamic;
-    }
-  }
-  return asked > 0 && 2 * dynamic >= asked;
-}
-
 }  // namespace
 
-cv::Mat motionLabels(const core::Segmentation& segmentation, const cv::Mat& movingMask,
-                     const knowledge::MotionRules& rules, DynamicTest& test) {
-  const cv::Scalar dynamicBit(bitOf(PixelLabel::Dynamic));
+cv::Mat motionLabels(const core::Segmentation& segmentation, const cv::Mat& dynamicMask,
+                     const knowledge::MotionRules& rules) {
   cv::Mat labels;
   cv::LUT(segmentation.classIds, bitsOfClasses(rules), labels);
-  cv::bitwise_or(labels, dynamicBit, labels, movingMask);
-  if (segmentation.instanceIds.empty()) return labels;
-
-  const cv::Rect image({}, labels.size());
-  for (const core::Instance& instance : segmentation.instances) {
-    const cv::Rect box = instance.box_px & image;
-    if (!rules.isMovable(instance.classId) || box.empty()) continue;
-    const cv::Mat mask = segmentation.instanceIds(box) == instance.id;
-    cv::Mat part = labels(box);
-    if (isMostlyDynamic(mask, box.tl(), test)) cv::bitwise_or(part, dynamicBit, part, mask);
-  }
+  cv::bitwise_or(labels, cv::Scalar(bitOf(PixelLabel::Dynamic)), labels, dynamicMask);
   return labels;
 }
 

@@ -2,6 +2,7 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "wardslam/core/annotation.h"
@@ -25,11 +26,22 @@ cv::Mat tableOfMoving(const knowledge::MotionRules& rules) {
 }
 
 cv::Mat widen(const cv::Mat& ids, int margin_px) {
-  if (margin_px == 0) return ids;
+  if (margin_px == 0) return ids.clone();
   cv::Mat widened;
   const int side = 2 * margin_px + 1;
   cv::dilate(ids, widened, cv::getStructuringElement(cv::MORPH_RECT, {side, side}));
   return widened;
+}
+
+/// The box of an instance with a margin around, cut at the image border.
+cv::Rect boxAround(const core::Instance& instance, int margin_px, const cv::Size& size) {
+  const cv::Point margin(margin_px, margin_px);
+  return cv::Rect(instance.box_px.tl() - margin, instance.box_px.br() + margin) & cv::Rect({}, size);
+}
+
+bool isSet(const cv::Mat& mask, const cv::Point2f& raw_px) {
+  return mask.at<std::uint8_t>(std::clamp(cvRound(raw_px.y), 0, mask.rows - 1),
+                               std::clamp(cvRound(raw_px.x), 0, mask.cols - 1)) != 0;
 }
 
 void check(const SemanticDynamicOptions& options, const core::ConfigNode& parameters) {
@@ -55,6 +67,7 @@ void SemanticDynamicFilter::initialize(const core::ConfigNode& parameters, const
   masks_ = makeMaskFeed(options_.masks, context.segmenter);
   rules_.emplace(*context.knowledge, context.segmenter->labelSpace());
   test_.emplace(*rules_, options_.test);
+  judge_.emplace(*rules_, options_.judge);
   movingIds_ = tableOfMoving(*rules_);
 }
 
@@ -71,32 +84,64 @@ void SemanticDynamicFilter::apply(core::Frame& frame) {
     ++frame.events["filters.no_segmentation"];
     return;
   }
-  markMotion(frame);
+  cv::Mat movers;
+  cv::LUT(frame.segmentation.classIds, movingIds_, movers);
+  const bool hasInstances = !frame.segmentation.instanceIds.empty();
+  const bool isObserved = options_.rule == SemanticDynamicOptions::Rule::Observed && hasInstances;
+  isObserved ? markByObservation(frame, movers) : markByPaper(frame, movers);
+}
+
+void SemanticDynamicFilter::end(const core::Frame& frame, const std::optional<Eigen::Isometry3d>& T_map_cam) {
+  if (options_.rule == SemanticDynamicOptions::Rule::Observed) judge_->observe(frame, T_map_cam);
 }
 
 std::string SemanticDynamicFilter::parameters(int indent) const { return core::writeOptions(options_, indent); }
 
-void SemanticDynamicFilter::markMotion(core::Frame& frame) {
-  const cv::Mat& classIds = frame.segmentation.classIds;
-  cv::Mat moving;
-  cv::LUT(classIds, movingIds_, moving);
-  const cv::Mat widened = widen(moving, options_.margin_px);
-  // Where two kinds of moving things touch, each keeps its own pixels.
-  cv::Mat tested = widened.clone();
-  classIds.copyTo(tested, (widened == 0) | (moving != 0));
-
-  test_->setImage(tested);
-  test_->mark(frame.features.keypoints);
-  if (options_.annotate && frame.observation) annotate(frame, widened);
+void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat& movers) {
+  const cv::Mat& instanceIds = frame.segmentation.instanceIds;
+  const cv::Mat widened = setTestImage(frame.segmentation.classIds, movers);
+  cv::Mat rests(movers.size(), CV_8UC1, cv::Scalar(0));
+  cv::Mat moves = widened != 0;
+  for (const auto& [instance, prior, evidence, finding] : judge_->judge(frame, movers)) {
+    const cv::Rect box = boxAround(instance, options_.margin_px, movers.size());
+    if (box.empty()) continue;
+    const cv::Mat whole = instanceIds(box) == instance.id;
+    if (finding == Verdict::Finding::Rests) rests(box) |= whole;
+    if (finding == Verdict::Finding::Moves) moves(box) |= widen(whole, options_.margin_px);
+  }
+  // What is only suspected, and things too small to be an instance, are left to the paper's rule.
+  cv::Mat dynamic = test_->mask();
+  dynamic.setTo(0, rests);
+  dynamic |= moves;
+  for (core::Keypoint& keypoint : frame.features.keypoints) {
+    if (isSet(dynamic, keypoint.raw_px)) keypoint.motion = core::Motion::Dynamic;
+  }
+  annotate(frame, dynamic);
 }
 
-void SemanticDynamicFilter::annotate(core::Frame& frame, const cv::Mat& movingMask) {
+void SemanticDynamicFilter::markByPaper(core::Frame& frame, const cv::Mat& movers) {
+  setTestImage(frame.segmentation.classIds, movers);
+  test_->mark(frame.features.keypoints);
+  if (options_.annotate) annotate(frame, test_->mask());
+}
+
+cv::Mat SemanticDynamicFilter::setTestImage(const cv::Mat& classIds, const cv::Mat& movers) {
+  // Where two kinds of moving things touch, each keeps its own pixels.
+  const cv::Mat widened = widen(movers, options_.margin_px);
+  cv::Mat tested = widened.clone();
+  classIds.copyTo(tested, (widened == 0) | (movers != 0));
+  test_->setImage(tested);
+  return widened;
+}
+
+void SemanticDynamicFilter::annotate(core::Frame& frame, const cv::Mat& dynamicMask) {
+  if (!options_.annotate || !frame.observation) return;
   const auto& range = frame.observation->rangeImage;
-  if (range.rows() != movingMask.rows || range.cols() != movingMask.cols) {
+  if (range.rows() != dynamicMask.rows || range.cols() != dynamicMask.cols) {
     ++frame.events["filters.annotation_size"];
     return;
   }
-  core::annotate(*frame.observation, motionLabels(frame.segmentation, movingMask, *rules_, *test_));
+  core::annotate(*frame.observation, motionLabels(frame.segmentation, dynamicMask, *rules_));
 }
 
 }  // namespace wardslam::filters

@@ -6,13 +6,18 @@
 
 #include "wardslam/filters/dynamic_test.h"
 #include "wardslam/filters/mask_feed.h"
+#include "wardslam/filters/movable_judge.h"
 #include "wardslam/filters/observation_filter.h"
 #include "wardslam/knowledge/motion_rules.h"
 
 namespace wardslam::filters {
 
 struct SemanticDynamicOptions {
+  enum class Rule : std::uint8_t { Observed, Paper };
+
   MaskFeedOptions masks;
+  Rule rule = Rule::Observed;
+  MovableJudgeOptions judge;
   DynamicTestOptions test;
   int margin_px = 3;
   bool annotate = true;
@@ -20,9 +25,13 @@ struct SemanticDynamicOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     MaskFeedOptions::describe(self.masks, visit);
+    visit("rule", self.rule, {"observed", "paper"},
+          "what makes a movable thing dynamic: that it is seen to move, suspected while somebody who can move it is "
+          "near, or how many pixels of such movers are around (n, delta)");
+    MovableJudgeOptions::describe(self.judge, visit);
     DynamicTestOptions::describe(self.test, visit);
     visit("margin_px", self.margin_px, {0, 100}, "px",
-          "moving things are taken to be this much wider, as networks cut contours short; 0 = as segmented");
+          "what moves is taken to be this much wider, as networks cut contours short; 0 = as segmented");
     visit("annotate", self.annotate, "write pixelLabels and confidenceImage of the observation");
   }
 };
@@ -33,8 +42,7 @@ struct SemanticDynamicOptions {
 ///       - class_name: wardslam::filters::SemanticDynamicFilter
 ///         params:
 ///           mode: propagate
-///           n: 21
-///           delta: 55
+///           rule: observed
 ///           margin_px: 3
 ///           annotate: true
 ///
@@ -50,16 +58,21 @@ class SemanticDynamicFilter : public ObservationFilter {
   void initialize(const core::ConfigNode& parameters, const FilterContext& context) override;
   void begin(const core::Frame& frame) override;
   void apply(core::Frame& frame) override;
+  void end(const core::Frame& frame, const std::optional<Eigen::Isometry3d>& T_map_cam) override;
   [[nodiscard]] std::string parameters(int indent) const override;
 
  private:
-  void markMotion(core::Frame& frame);
-  void annotate(core::Frame& frame, const cv::Mat& movingMask);
+  void markByPaper(core::Frame& frame, const cv::Mat& movers);
+  void markByObservation(core::Frame& frame, const cv::Mat& movers);
+  /// Returns the movers with their margin, and has the test ask about them.
+  cv::Mat setTestImage(const cv::Mat& classIds, const cv::Mat& movers);
+  void annotate(core::Frame& frame, const cv::Mat& dynamicMask);
 
   SemanticDynamicOptions options_;
   std::unique_ptr<MaskFeed> masks_;
   std::optional<knowledge::MotionRules> rules_;
   std::optional<DynamicTest> test_;
+  std::optional<MovableJudge> judge_;
   cv::Mat movingIds_;  ///< 1×256: the id of each class that moves by itself, 0 of the others.
   bool isBegun_ = false;
 };
