@@ -54,43 +54,45 @@ nlohmann::ordered_json zonesJson(const std::map<std::string, pipeline::ZoneStay>
         {"time_s", rounded(stay.time_s, 3)}, {"distance_m", rounded(stay.distance_m, 3)}, {"entries", stay.entries}};
   }
   return zones;
-  nlohmann::ordered_json toJson(const evaluation::DetectionScore& score) {
-    return {{"precision", score.precision()},  // NaN becomes null
-            {"recall", score.recall()},
-            {"spared", score.spared()},
-            {"true_positives", score.truePositives},
-            {"false_positives", score.falsePositives},
-            {"false_negatives", score.falseNegatives},
-            {"true_negatives", score.trueNegatives}};
-  }
+}
 
-  nlohmann::ordered_json toJson(const DynamicTruth& truth) {
-    return {{"frames", truth.frames()}, {"pixels", toJson(truth.pixels())}, {"keypoints", toJson(truth.keypoints())}};
-  }
+nlohmann::ordered_json toJson(const evaluation::DetectionScore& score) {
+  return {{"precision", score.precision()},  // NaN becomes null
+          {"recall", score.recall()},
+          {"spared", score.spared()},
+          {"true_positives", score.truePositives},
+          {"false_positives", score.falsePositives},
+          {"false_negatives", score.falseNegatives},
+          {"true_negatives", score.trueNegatives}};
+}
 
-  nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
-    const auto& statistics = summary.statistics;
-    nlohmann::ordered_json json;
-    json["frames"] = statistics.frames();
-    json["frames_tracked"] = statistics.framesTracked();
-    json["coverage"] = statistics.coverage();
-    json["lost_events"] = statistics.lostEvents();
-    json["keyframes"] = statistics.keyframes();
-    json["loops_closed"] = summary.slam.map().loops().size();
-    json["submaps_joined"] = summary.slam.map().submapsJoined();
-    json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
-    if (summary.truth != nullptr) json["dynamic"] = toJson(*summary.truth);
-    json["mask_age"] = maskAgeJson(statistics.maskAge());
-    if (!summary.slam.zones().all().empty()) json["zones"] = zonesJson(summary.zones.stays());
-    json["stages"] = stagesJson(summary.slam.profiler());
-    json["fps"] = elapsed_s > 0 ? rounded(static_cast<double>(statistics.frames()) / elapsed_s, 2) : 0.0;
-    json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);
-    json["deterministic"] = summary.deterministic;
-    json["interrupted"] = summary.interrupted;
-    json["events"] = statistics.events();
-    json["damaged_input"] = summary.damage;
-    return json;
-  }
+nlohmann::ordered_json toJson(const DynamicTruth& truth) {
+  return {{"frames", truth.frames()}, {"pixels", toJson(truth.pixels())}, {"keypoints", toJson(truth.keypoints())}};
+}
+
+nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
+  const auto& statistics = summary.statistics;
+  nlohmann::ordered_json json;
+  json["frames"] = statistics.frames();
+  json["frames_tracked"] = statistics.framesTracked();
+  json["coverage"] = statistics.coverage();
+  json["lost_events"] = statistics.lostEvents();
+  json["keyframes"] = statistics.keyframes();
+  json["loops_closed"] = summary.slam.map().loops().size();
+  json["submaps_joined"] = summary.slam.map().submapsJoined();
+  json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
+  if (summary.truth != nullptr) json["dynamic"] = toJson(*summary.truth);
+  json["mask_age"] = maskAgeJson(statistics.maskAge());
+  if (!summary.slam.zones().all().empty()) json["zones"] = zonesJson(summary.zones.stays());
+  json["stages"] = stagesJson(summary.slam.profiler());
+  json["fps"] = elapsed_s > 0 ? rounded(static_cast<double>(statistics.frames()) / elapsed_s, 2) : 0.0;
+  json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);
+  json["deterministic"] = summary.deterministic;
+  json["interrupted"] = summary.interrupted;
+  json["events"] = statistics.events();
+  json["damaged_input"] = summary.damage;
+  return json;
+}
 
 }  // namespace
 

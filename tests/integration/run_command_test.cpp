@@ -216,37 +216,6 @@ TEST_F(RunCommand, MasksMayComeBehind) {
   expectError(run(room.path(), byChance), 1, "latency_frames");
 }
 
-TEST_F(RunCommand, ComparesWhatIsMarkedWithTheTruth) {
-  const test::RoomRecording room(kImages);
-  // What the masks call a person is what moves: 80 columns, which the margin makes 83.
-  ASSERT_EQ(run(room.path(), {"--masks", room.masks(), "--dynamic-truth", room.masks()}).exitCode, 0);
-  const auto dynamic = summary().at("dynamic");
-  EXPECT_EQ(dynamic.at("frames"), kImages);
-  EXPECT_NEAR(dynamic.at("pixels").at("precision").get<double>(), 80.0 / 83.0, 1e-9);
-  EXPECT_EQ(dynamic.at("pixels").at("recall"), 1.0);
-  EXPECT_NEAR(dynamic.at("pixels").at("spared").get<double>(), 237.0 / 240.0, 1e-9);
-  EXPECT_EQ(dynamic.at("keypoints").at("recall"), 1.0);
-  EXPECT_GT(dynamic.at("keypoints").at("true_negatives").get<int>(), 0);
-
-  ASSERT_EQ(run(room.path(), {"--filter", "off", "--dynamic-truth", room.masks()}).exitCode, 0);
-  EXPECT_TRUE(summary().at("dynamic").at("pixels").at("precision").is_null()) << "nothing was marked";
-  EXPECT_EQ(summary().at("dynamic").at("pixels").at("recall"), 0.0);
-}
-
-TEST_F(RunCommand, ATruthThatDoesNotFitIsAnError) {
-  const test::RoomRecording room(kImages);
-  const Arguments off = {"--filter", "off", "--dynamic-truth"};
-  const auto with = [&](const fs::path& truth) { return Arguments{off[0], off[1], off[2], truth}; };
-  expectError(run(room.path(), with(folder.path() / "nowhere")), 1, "nowhere");
-  fs::create_directories(folder.path() / "other");
-  fs::copy(room.masks() / "1000.000000.png", folder.path() / "other" / "5.000000.png");
-  expectError(run(room.path(), with(folder.path() / "other")), 1, "stamps");
-  fs::create_directories(folder.path() / "small");
-  fs::copy(room.masks() / "1000.000000.png", folder.path() / "small" / "1000.000000.png");
-  test::shrinkImage(folder.path() / "small" / "1000.000000.png");
-  expectError(run(room.path(), with(folder.path() / "small")), 1, "160x120");
-}
-
 TEST_F(RunCommand, PlaysAsFastAsItWasRecorded) {
   const test::RoomRecording room(kImages);
   const auto start = std::chrono::steady_clock::now();
