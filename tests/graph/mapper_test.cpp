@@ -71,6 +71,41 @@ TEST_F(MapperTest, ClosesARound) {
   }
 }
 
+/// What a map file would keep of the graph.
+SavedGraph savedFrom(const KeyframeGraph& graph) {
+  SavedGraph saved;
+  for (const auto& [id, node] : graph.keyframes()) {
+    auto keyframe = std::make_shared<odometry::Keyframe>(*node.keyframe);
+    keyframe->T_map_cam = node.T_map_cam;
+    keyframe->submap = 0;
+    keyframe->sightings.clear();
+    for (const auto& [point, keypoint] : node.keypointOf) keyframe->sightings.push_back({point, keypoint});
+    saved.keyframes.push_back(keyframe);
+  }
+  for (const auto& [id, node] : graph.points()) saved.p_map_m[id] = node.point.p_map_m;
+  return saved;
+}
+
+TEST_F(MapperTest, GoesOnWithAnEarlierMap) {
+  Mapper earlier(fewAndFast(), {});
+  walk(earlier, Eigen::Isometry3d::Identity());
+  const SavedGraph saved = savedFrom(earlier.graph());
+
+  Mapper mapper(fewAndFast(), {});
+  mapper.restore(saved);
+  EXPECT_EQ(mapper.graph().keyframes().size(), static_cast<std::size_t>(kKeyframes));
+  EXPECT_EQ(mapper.graph().points().size(), earlier.graph().points().size());
+  for (const auto& [id, node] : earlier.graph().points()) {
+    EXPECT_TRUE(mapper.graph().points().at(id).point.p_map_m.isApprox(node.point.p_map_m, 1e-9));
+    EXPECT_EQ(mapper.graph().points().at(id).seenBy, node.seenBy);
+  }
+
+  walk_.loseTrack();  // the robot was switched off
+  for (int i = 0; i < 3; ++i) insert(mapper, walk_.step());
+  EXPECT_EQ(mapper.submapsJoined(), 1U);
+  EXPECT_LT(error_m(mapper, kKeyframes + 3), 0.02) << "in the frame of the earlier map";
+}
+
 TEST_F(MapperTest, LeavesTheSlipWhenToldToCloseNothing) {
   GraphOptions options = fewAndFast();
   options.close_loops = false;

@@ -94,6 +94,15 @@ TEST_F(OdometryTest, StartsWhereItIsTold) {
   EXPECT_LT(distance_m(trackImage(5, {}).T_map_cam, T_map_start * truth(5)), 1e-4) << "too late to be moved";
 }
 
+TEST_F(OdometryTest, NumbersGoOnBehindAnEarlierRun) {
+  odometry_ = Odometry(options(), {40, 5000, 3});
+  const auto result = trackImage(0);
+  ASSERT_NE(result.keyframe, nullptr);
+  EXPECT_EQ(result.keyframe->id, 41U);
+  EXPECT_EQ(result.keyframe->submap, 3U);
+  for (const Sighting& sighting : result.keyframe->sightings) EXPECT_GT(sighting.point, 5000U);
+}
+
 TEST_F(OdometryTest, KeyframesComeWhenThereIsSomethingNew) {
   std::set<KeyframeId> ids;
   for (int image = 0; image < kImages; ++image) {

@@ -5,12 +5,22 @@
 namespace wardslam::graph {
 
 void KeyframeGraph::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
-  KeyframeNode node{keyframe, keyframe->T_map_cam, {}, keyframe->submap};
-  if (const auto joined = joinedInto_.find(node.submap); joined != joinedInto_.end()) node.submap = joined->second;
   const auto previous = keyframes_.find(keyframe->id - 1);
-  if (previous != keyframes_.end() && previous->second.submap == node.submap) {
-    node.T_map_cam = previous->second.T_map_cam * keyframe->T_previous_cam;
+  const bool follows = previous != keyframes_.end() && previous->second.submap == currentSubmapOf(*keyframe);
+  insertAt(keyframe, follows ? previous->second.T_map_cam * keyframe->T_previous_cam : keyframe->T_map_cam);
+}
+
+void KeyframeGraph::restore(const std::shared_ptr<const odometry::Keyframe>& keyframe,
+                            const std::map<PointId, Eigen::Vector3d>& p_map_m) {
+  insertAt(keyframe, keyframe->T_map_cam);
+  for (const auto& [point, keypoint] : keyframes_.at(keyframe->id).keypointOf) {
+    if (const auto known = p_map_m.find(point); known != p_map_m.end()) setPosition(point, known->second);
   }
+}
+
+void KeyframeGraph::insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe,
+                             const Eigen::Isometry3d& T_map_cam) {
+  KeyframeNode node{keyframe, T_map_cam, {}, currentSubmapOf(*keyframe)};
   for (const auto& [seenAs, keypointIndex] : keyframe->sightings) {
     const PointId id = currentIdOf(seenAs);
     const auto& keypoint = keyframe->features.keypoints[keypointIndex];
@@ -64,6 +74,11 @@ void KeyframeGraph::fuse(PointId from, PointId into) {
   }
   points_.erase(from);
   fusedInto_[from] = into;
+}
+
+std::uint32_t KeyframeGraph::currentSubmapOf(const odometry::Keyframe& keyframe) const {
+  const auto joined = joinedInto_.find(keyframe.submap);
+  return joined == joinedInto_.end() ? keyframe.submap : joined->second;
 }
 
 PointId KeyframeGraph::currentIdOf(PointId id) const {

@@ -43,6 +43,13 @@ Mapper::Mapper(const GraphOptions& options, const odometry::OdometryOptions& odo
       places_(options.place_recognition),
       verification_(options.loop_verification, odometry.matcher, odometry.pose_solver) {}
 
+void Mapper::restore(const SavedGraph& saved) {
+  for (const auto& keyframe : saved.keyframes) {
+    graph_.restore(keyframe, saved.p_map_m);
+    places_.add(*keyframe);
+  }
+}
+
 odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                                    const std::atomic<bool>* stop) {
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;

@@ -27,18 +27,22 @@ PlaceRecognition::~PlaceRecognition() = default;
 PlaceRecognition::PlaceRecognition(PlaceRecognition&&) noexcept = default;
 
 void PlaceRecognition::add(const odometry::Keyframe& keyframe) {
+  if (keyframe.submap != submap_) extendIndex(0);
+  submap_ = keyframe.submap;
   waiting_.emplace_back(keyframe.id, keyframe.features.descriptors);
   const auto gap = static_cast<std::size_t>(options_.min_keyframe_gap);
-  if (waiting_.size() >= 2 * gap) extendIndex();
+  if (waiting_.size() >= 2 * gap) extendIndex(gap);
 }
 
-void PlaceRecognition::extendIndex() {
-  const auto gap = static_cast<std::ptrdiff_t>(options_.min_keyframe_gap);
-  for (auto it = waiting_.begin(); it != waiting_.end() - gap; ++it) {
+/// Makes all but the youngest findable.
+void PlaceRecognition::extendIndex(std::size_t youngest) {
+  if (waiting_.size() <= youngest) return;
+  const auto end = waiting_.end() - static_cast<std::ptrdiff_t>(youngest);
+  for (auto it = waiting_.begin(); it != end; ++it) {
     index_->descriptors.push_back(it->second);
     index_->keyframeOf.insert(index_->keyframeOf.end(), static_cast<std::size_t>(it->second.rows), it->first);
   }
-  waiting_.erase(waiting_.begin(), waiting_.end() - gap);
+  waiting_.erase(waiting_.begin(), end);
   index_->search = std::make_unique<cv::flann::Index>(
       index_->descriptors, cv::flann::LshIndexParams(kTables, kKeyBits, kProbes), cvflann::FLANN_DIST_HAMMING);
 }

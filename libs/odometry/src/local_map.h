@@ -15,7 +15,7 @@ namespace wardslam::odometry {
 /// longest are forgotten.
 class LocalMap {
  public:
-  explicit LocalMap(const LocalMapOptions& options) : options_(options) {}
+  explicit LocalMap(const LocalMapOptions& options, PointId firstId = 1) : options_(options), nextId_(firstId) {}
 
   PointId add(const MapPoint& point);
   void addKeyframe(KeyframeId id, const std::vector<PointId>& points);
@@ -50,7 +50,7 @@ class LocalMap {
   void forgetOldest();
 
   LocalMapOptions options_;
-  PointId nextId_ = 1;
+  PointId nextId_;
   std::map<PointId, MapPoint> points_;
   std::map<PointId, std::vector<KeyframeId>> seenBy_;
   std::map<KeyframeId, std::vector<PointId>> keyframes_;

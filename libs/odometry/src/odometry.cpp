@@ -21,13 +21,16 @@ std::string toString(State state) {
 
 class Odometry::Tracker {
  public:
-  explicit Tracker(const OdometryOptions& options)
-      : options_(options), map_(options.local_map), poseTracker_(options_) {}
+  Tracker(const OdometryOptions& options, const Continuation& earlier)
+      : options_(options), map_(options.local_map, earlier.lastPoint + 1), poseTracker_(options_) {
+    lastKeyframe_.id = earlier.lastKeyframe;
+    submap_ = earlier.submap;
+  }
 
-  [[nodiscard]] bool hasStarted() const { return lastKeyframe_.id > 0; }
+  [[nodiscard]] bool hasStarted() const { return hasStarted_; }
 
   void startFrom(const Eigen::Isometry3d& T_map_cam) {
-    if (!hasStarted()) T_cam_map_ = T_map_cam.inverse();
+    if (!hasStarted_) T_cam_map_ = T_map_cam.inverse();
   }
 
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features) {
@@ -64,6 +67,7 @@ class Odometry::Tracker {
   PoseTracker poseTracker_;
 
   State state_ = State::Initialising;
+  bool hasStarted_ = false;
   std::uint64_t frame_ = 0;
   Eigen::Isometry3d T_cam_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_cam_previous_ = Eigen::Isometry3d::Identity();  ///< Motion of the last frame.
@@ -77,6 +81,7 @@ OdometryResult Odometry::Tracker::initialise(const View& view) {
   const auto newPoints = newPointCandidates(view, {});
   if (static_cast<int>(newPoints.size()) < options_.min_initial_points) return {};
   state_ = State::Ok;
+  hasStarted_ = true;
   T_cam_previous_ = Eigen::Isometry3d::Identity();
   return result({}, insertKeyframe(view, {}, newPoints));
 }
@@ -204,7 +209,8 @@ void Odometry::Tracker::apply(const MapUpdate& update) {
   lastKeyframe_.T_map_cam = moved->second;
 }
 
-Odometry::Odometry(const OdometryOptions& options) : tracker_(std::make_unique<Tracker>(options)) {}
+Odometry::Odometry(const OdometryOptions& options, const Continuation& earlier)
+    : tracker_(std::make_unique<Tracker>(options, earlier)) {}
 Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;

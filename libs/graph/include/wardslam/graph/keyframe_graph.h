@@ -35,6 +35,10 @@ class KeyframeGraph {
   /// Places the keyframe relative to the one before it. Points not known yet are made from their key point's depth.
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
 
+  /// A keyframe of an earlier run, at the pose it carries; its points lie where `p_map_m` says.
+  void restore(const std::shared_ptr<const odometry::Keyframe>& keyframe,
+               const std::map<PointId, Eigen::Vector3d>& p_map_m);
+
   [[nodiscard]] const std::map<KeyframeId, KeyframeNode>& keyframes() const { return keyframes_; }
   [[nodiscard]] const std::map<PointId, PointNode>& points() const { return points_; }
 
@@ -52,6 +56,8 @@ class KeyframeGraph {
   void joinSubmaps(std::uint32_t from, std::uint32_t into);
 
  private:
+  void insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe, const Eigen::Isometry3d& T_map_cam);
+  [[nodiscard]] std::uint32_t currentSubmapOf(const odometry::Keyframe& keyframe) const;
   [[nodiscard]] PointId currentIdOf(PointId id) const;
 
   std::map<KeyframeId, KeyframeNode> keyframes_;

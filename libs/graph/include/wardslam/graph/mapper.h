@@ -13,6 +13,12 @@
 
 namespace wardslam::graph {
 
+/// The keyframes of an earlier run, to be recognised and continued.
+struct SavedGraph {
+  std::vector<std::shared_ptr<const odometry::Keyframe>> keyframes;  ///< By id, all of submap 0, posed in the map.
+  std::map<PointId, Eigen::Vector3d> p_map_m;                        ///< Of the points they see.
+};
+
 /// Keeps the map of keyframes right as it grows: local bundle adjustment after every keyframe; where an old place is
 /// seen again, the loop is closed over a pose graph and everything adjusted; submaps that meet are joined.
 ///
@@ -20,6 +26,10 @@ namespace wardslam::graph {
 class Mapper {
  public:
   Mapper(const GraphOptions& options, const odometry::OdometryOptions& odometry);
+
+  /// Before the first insert(). What comes then must be of other submaps and have higher ids; it joins the saved map
+  /// where a place is recognised.
+  void restore(const SavedGraph& saved);
 
   /// Takes in a keyframe; keyframes come in order. Returns what tracking should know. Adjustments over the whole map
   /// end early once `stop` (may be null) is set.

@@ -18,7 +18,7 @@ class PlaceRecognition {
   PlaceRecognition(PlaceRecognition&&) noexcept;
 
   /// Keyframes in order; one can be found once min_keyframe_gap others have followed it, or up to
-  /// twice as many: the index is rebuilt now and then.
+  /// twice as many: the index is rebuilt now and then. When another submap begins, all before it can be found.
   void add(const odometry::Keyframe& keyframe);
 
   /// Keyframes, none of `excluded`, that share most looks with these features, likeliest first.
@@ -28,10 +28,11 @@ class PlaceRecognition {
  private:
   struct Index;
 
-  void extendIndex();
+  void extendIndex(std::size_t youngest);
 
   PlaceRecognitionOptions options_;
   std::vector<std::pair<odometry::KeyframeId, cv::Mat>> waiting_;  ///< Too young to be found.
+  std::uint32_t submap_ = 0;
   std::unique_ptr<Index> index_;
 };
 

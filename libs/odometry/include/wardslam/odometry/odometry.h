@@ -34,13 +34,20 @@ struct OdometryResult {
   }
 };
 
+/// Where the numbering of an earlier run ended; the next one goes on behind it.
+struct Continuation {
+  KeyframeId lastKeyframe = 0;
+  PointId lastPoint = 0;
+  std::uint32_t submap = 0;  ///< The first that is free.
+};
+
 /// RGB-D visual odometry on ORB key points against a local map of points. It sees key points that are static and
 /// nothing else: no class names, no networks.
 ///
 /// Plain and single-threaded; the same input gives the same output.
 class Odometry {
  public:
-  explicit Odometry(const OdometryOptions& options);
+  explicit Odometry(const OdometryOptions& options, const Continuation& earlier = {});
   ~Odometry();
   Odometry(Odometry&&) noexcept;
   Odometry& operator=(Odometry&&) noexcept;
