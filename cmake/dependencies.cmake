@@ -12,6 +12,8 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(PCL 1.13 REQUIRED COMPONENTS common search filters segmentation)
+find_package(SQLiteCpp 3.2 REQUIRED)
+find_package(zstd REQUIRED)
 
 if(NOT TARGET yaml-cpp::yaml-cpp)
   add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)  # yaml-cpp 0.7 exports the bare name

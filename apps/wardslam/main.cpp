@@ -3,6 +3,7 @@
 #include "config_command.h"
 #include "eval_command.h"
 #include "knowledge_command.h"
+#include "map_command.h"
 #include "models_command.h"
 #include "run_command.h"
 #include "support/command_line.h"
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
     addConfigCommand(app);
     addModelsCommand(app);
     addKnowledgeCommand(app);
+    addMapCommand(app);
     return parseCommandLine(app, argc, argv).value_or(kSuccess);
   });
 }

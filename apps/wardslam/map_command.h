@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {  // NOLINT(readability-identifier-naming)
+class App;
+}
+
+namespace wardslam::apps {
+
+/// `wardslam map info|objects|nearest|at|zones|diff|check FILE`: what a saved map knows.
+void addMapCommand(CLI::App& app);
+
+}  // namespace wardslam::apps

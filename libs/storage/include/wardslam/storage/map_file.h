@@ -1,0 +1,103 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wardslam/mapping/semantic_map.h"
+#include "wardslam/odometry/keyframe.h"
+
+namespace wardslam::storage {
+
+/// Two keyframes and how the newer one (`to`) stood when seen from the older.
+struct LoopEdge {
+  odometry::KeyframeId from = 0;
+  odometry::KeyframeId to = 0;
+  Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
+};
+
+/// What is to be written together. What is not named stays as it is; maps and lists hold what is new or has changed.
+struct MapChanges {
+  std::map<odometry::KeyframeId, mapping::MappedKeyframe> keyframes;
+  std::vector<std::shared_ptr<const odometry::Keyframe>> views;  ///< New: what keyframes saw. Their poses are above.
+  std::map<odometry::PointId, Eigen::Vector3d> p_map_m;          ///< Points of the views; unknown ones are left out.
+  std::map<odometry::PointId, odometry::PointId> fusedPoints;    ///< The first turned out to be the second.
+  std::vector<odometry::PointId> removedPoints;
+  std::vector<LoopEdge> loops;
+  std::map<odometry::KeyframeId, mapping::SemanticCloudTile> cloud;  ///< A tile without points is removed.
+  std::vector<mapping::MapObject> objects;
+  std::vector<mapping::ObjectId> removedObjects;
+  std::optional<std::vector<mapping::Zone>> zones;  ///< All of them.
+  std::optional<mapping::FloorPlan> floorPlan;
+};
+
+/// The whole of a semantic map, to be written into an empty file.
+[[nodiscard]] MapChanges everythingOf(const mapping::SemanticMap& map);
+
+/// What a new file is told once.
+struct MapHeader {
+  core::LabelSpace labels = core::LabelSpace::coco();
+  std::string options;  ///< YAML, as `wardslam config` writes it.
+};
+
+/// A map file at a glance.
+struct MapFileInfo {
+  int schemaVersion = 0;
+  std::uintmax_t size_bytes = 0;
+  std::size_t keyframes = 0;
+  std::size_t trackingPoints = 0;  ///< Of key points, to recognise places by.
+  std::size_t loops = 0;
+  std::size_t cloudPoints = 0;
+  std::size_t objects = 0;  ///< Those that are gone included.
+  std::size_t zones = 0;
+  double firstStamp_s = 0.0;  ///< UNIX time of the oldest keyframe; 0 without keyframes.
+  double lastStamp_s = 0.0;
+};
+
+enum class MapAccess { Read, Write };
+enum class CloudPart { Include, LeaveOut };
+
+/// A map on disk, `*.wardmap`: one SQLite database (docs/file_formats.md). Every write() is one transaction: whatever
+/// happens to the process or the power, the file holds all of it or nothing. What read() gives is in the map frame.
+///
+/// All members throw core::InputError with the file's name where it is damaged, cannot be written, or is in use.
+class MapFile {
+ public:
+  /// Makes an empty map, in place of a file that may be there.
+  [[nodiscard]] static MapFile create(const std::filesystem::path& file, const MapHeader& header = {});
+
+  /// Undoes what a killed process left half written. A file that an older version wrote is brought up to date.
+  [[nodiscard]] static MapFile open(const std::filesystem::path& file, MapAccess access = MapAccess::Read);
+
+  ~MapFile();
+  MapFile(MapFile&&) noexcept;
+  MapFile& operator=(MapFile&&) noexcept;
+
+  void write(const MapChanges& changes);
+
+  [[nodiscard]] MapFileInfo info() const;
+  [[nodiscard]] MapHeader header() const;
+  [[nodiscard]] mapping::SemanticMap read(CloudPart cloud = CloudPart::Include) const;
+
+  /// What the keyframes saw, in order of their ids; sightings name points of readPoints().
+  [[nodiscard]] std::vector<odometry::Keyframe> readViews() const;
+  [[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints() const;  ///< p_map_m
+  [[nodiscard]] std::vector<LoopEdge> readLoops() const;
+
+  /// Reads everything and follows every reference; one sentence for each thing that is wrong.
+  [[nodiscard]] std::vector<std::string> check() const;
+
+ private:
+  struct Connection;
+  explicit MapFile(std::unique_ptr<Connection> connection);
+
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace wardslam::storage

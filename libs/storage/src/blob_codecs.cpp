@@ -1,0 +1,120 @@
+#include "blob_codecs.h"
+
+#include "wardslam/odometry/orb_descriptor.h"
+
+namespace wardslam::storage {
+namespace {
+
+using core::Keypoint;
+using mapping::SemanticPoint;
+using odometry::OrbDescriptor;
+
+constexpr std::uint8_t kFeaturesVersion = 1;
+constexpr std::uint8_t kTileVersion = 1;
+constexpr std::uint8_t kCellsVersion = 1;
+
+/// Hands every field of a record, in the order of the layout, to `column`.
+template <class Column>
+void forEachColumn(std::vector<Keypoint>& keypoints, const Column& column) {
+  column(keypoints, [](Keypoint& k) -> float& { return k.raw_px.x; });
+  column(keypoints, [](Keypoint& k) -> float& { return k.raw_px.y; });
+  column(keypoints, [](Keypoint& k) -> float& { return k.undistorted_px.x; });
+  column(keypoints, [](Keypoint& k) -> float& { return k.undistorted_px.y; });
+  column(keypoints, [](Keypoint& k) -> float& { return k.depth_m; });
+  column(keypoints, [](Keypoint& k) -> float& { return k.angle_rad; });
+  column(keypoints, [](Keypoint& k) -> float& { return k.response; });
+  column(keypoints, [](Keypoint& k) -> float& { return k.scale; });
+}
+constexpr std::size_t kKeypointSize = 8 * sizeof(float) + sizeof(OrbDescriptor);
+
+template <class Column>
+void forEachColumn(std::vector<SemanticPoint>& points, const Column& column) {
+  column(points, [](SemanticPoint& p) -> float& { return p.p_cam_m.x(); });
+  column(points, [](SemanticPoint& p) -> float& { return p.p_cam_m.y(); });
+  column(points, [](SemanticPoint& p) -> float& { return p.p_cam_m.z(); });
+  column(points, [](SemanticPoint& p) -> std::uint8_t& { return p.color_rgb[0]; });
+  column(points, [](SemanticPoint& p) -> std::uint8_t& { return p.color_rgb[1]; });
+  column(points, [](SemanticPoint& p) -> std::uint8_t& { return p.color_rgb[2]; });
+  column(points, [](SemanticPoint& p) -> core::ClassId& { return p.classId; });
+  column(points, [](SemanticPoint& p) -> mapping::ObjectId& { return p.object; });
+  column(points, [](SemanticPoint& p) -> std::uint16_t& { return p.sightings; });
+}
+constexpr std::size_t kPointSize = 3 * sizeof(float) + 4 + sizeof(mapping::ObjectId) + sizeof(std::uint16_t);
+
+template <class Record>
+void putColumns(ByteWriter& out, std::vector<Record> records) {
+  forEachColumn(records, [&out](auto& all, auto field) {
+    for (auto& record : all) out.put(field(record));
+  });
+}
+
+template <class Record>
+void getColumns(ByteReader& in, std::vector<Record>& records) {
+  forEachColumn(records, [&in](auto& all, auto field) {
+    for (auto& record : all) field(record) = in.get<std::decay_t<decltype(field(record))>>();
+  });
+}
+
+}  // namespace
+
+Bytes encodeFeatures(const core::Features& features) {
+  ByteWriter out;
+  out.put(static_cast<std::uint32_t>(features.size()));
+  putColumns(out, features.keypoints);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    out.putBytes(features.descriptors.ptr(static_cast<int>(i)), sizeof(OrbDescriptor));
+  }
+  return pack(BlobKind::Features, kFeaturesVersion, out.bytes());
+}
+
+core::Features decodeFeatures(const Bytes& blob) {
+  const Bytes content = unpack(BlobKind::Features, kFeaturesVersion, blob);
+  ByteReader in(content);
+  core::Features features;
+  features.keypoints.resize(in.getCount(kKeypointSize));
+  getColumns(in, features.keypoints);
+  features.descriptors.create(static_cast<int>(features.size()), sizeof(OrbDescriptor), CV_8UC1);
+  in.getBytes(features.descriptors.data, features.descriptors.total());
+  return features;
+}
+
+Bytes encodeTile(const mapping::SemanticCloudTile& tile) {
+  ByteWriter out;
+  out.put(static_cast<std::uint32_t>(tile.points.size()));
+  putColumns(out, tile.points);
+  return pack(BlobKind::CloudTile, kTileVersion, out.bytes());
+}
+
+mapping::SemanticCloudTile decodeTile(const Bytes& blob) {
+  const Bytes content = unpack(BlobKind::CloudTile, kTileVersion, blob);
+  ByteReader in(content);
+  mapping::SemanticCloudTile tile;
+  tile.points.resize(in.getCount(kPointSize));
+  getColumns(in, tile.points);
+  return tile;
+}
+
+Bytes encodeCells(const cv::Mat& cells) {
+  ByteWriter out;
+  out.put(static_cast<std::uint32_t>(cells.rows));
+  out.put(static_cast<std::uint32_t>(cells.cols));
+  for (int row = 0; row < cells.rows; ++row) out.putBytes(cells.ptr(row), static_cast<std::size_t>(cells.cols));
+  return pack(BlobKind::FloorCells, kCellsVersion, out.bytes());
+}
+
+cv::Mat decodeCells(const Bytes& blob) {
+  const Bytes content = unpack(BlobKind::FloorCells, kCellsVersion, blob);
+  ByteReader in(content);
+  const std::uint64_t rows = in.get<std::uint32_t>();
+  const std::uint64_t columns = in.get<std::uint32_t>();
+  if (rows * columns != content.size() - 2 * sizeof(std::uint32_t)) {
+    throw BlobError("it should hold " + std::to_string(rows) + " x " + std::to_string(columns) +
+                    " cells, and its size says otherwise");
+  }
+  if (rows * columns == 0) return {};
+  cv::Mat cells(static_cast<int>(rows), static_cast<int>(columns), CV_8UC1);
+  in.getBytes(cells.data, cells.total());
+  return cells;
+}
+
+}  // namespace wardslam::storage

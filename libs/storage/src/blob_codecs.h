@@ -1,0 +1,23 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "blob.h"
+#include "wardslam/core/keypoint.h"
+#include "wardslam/mapping/semantic_cloud_tile.h"
+
+/// What the blobs hold; docs/file_formats.md has the layouts. Values are kept column by column (all x, then all y, …),
+/// which compresses better. Decoders throw BlobError on anything that is not whole.
+namespace wardslam::storage {
+
+[[nodiscard]] Bytes encodeFeatures(const core::Features& features);
+[[nodiscard]] core::Features decodeFeatures(const Bytes& blob);
+
+[[nodiscard]] Bytes encodeTile(const mapping::SemanticCloudTile& tile);
+[[nodiscard]] mapping::SemanticCloudTile decodeTile(const Bytes& blob);
+
+/// CV_8UC1.
+[[nodiscard]] Bytes encodeCells(const cv::Mat& cells);
+[[nodiscard]] cv::Mat decodeCells(const Bytes& blob);
+
+}  // namespace wardslam::storage

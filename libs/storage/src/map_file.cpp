@@ -1,0 +1,198 @@
+#include "wardslam/storage/map_file.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include "blob.h"
+#include "map_check.h"
+#include "map_reading.h"
+#include "map_schema.h"
+#include "map_writing.h"
+#include "wardslam/core/errors.h"
+
+namespace wardslam::storage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPatience_ms = 5000;  // how long another program may hold the file
+
+std::string explain(const SQLite::Exception& error) {
+  switch (error.getErrorCode()) {
+    case SQLITE_NOTADB:
+      return "is not a WardSLAM map";
+    case SQLITE_CORRUPT:
+      return std::string("is damaged or cut short (") + error.what() + "); take a copy of it";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "is in use by another program; try again when that has ended";
+    case SQLITE_READONLY:
+      return "cannot be written; is it, or its folder, write-protected?";
+    case SQLITE_CANTOPEN:
+      return "cannot be opened; may you read it, and write in its folder?";
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+      return std::string("cannot be read or written in full (") + error.what() + "); is the disk full?";
+    default:
+      return std::string("does not work as a map: ") + error.what();
+  }
+}
+
+/// Runs `work`; what SQLite or a decoder throws becomes one sentence about the file.
+template <class Work>
+auto guarded(const fs::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    throw core::InputError(file.string() + ": " + explain(error));
+  } catch (const BlobError& error) {
+    throw core::InputError(file.string() + ": is damaged: " + error.what());
+  }
+}
+
+void requireMap(SQLite::Database& database, const fs::path& file) {
+  const int application = database.execAndGet("PRAGMA application_id");
+  if (application != kApplicationId) {
+    throw core::InputError(file.string() + ": is a database, but not a WardSLAM map");
+  }
+  const int version = database.execAndGet("PRAGMA user_version");
+  if (version > schemaVersion()) {
+    throw core::InputError(file.string() + ": was written by a newer WardSLAM (its schema has version " +
+                           std::to_string(version) + ", this program knows " + std::to_string(schemaVersion()) +
+                           "); use that one");
+  }
+}
+
+void requireFile(const fs::path& file) {
+  std::error_code error;
+  const auto status = fs::status(file, error);
+  if (!fs::exists(status)) throw core::InputError(file.string() + ": is not there; `wardslam run` writes maps");
+  if (fs::is_directory(status)) throw core::InputError(file.string() + ": is a folder; name the .wardmap file in it");
+  if (!fs::is_regular_file(status)) throw core::InputError(file.string() + ": is no file");
+  if (fs::file_size(file, error) == 0) throw core::InputError(file.string() + ": is empty, so it is not a map");
+}
+
+/// The file and the journals SQLite keeps beside it.
+void removeDatabase(const fs::path& file) {
+  for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+    std::error_code error;
+    fs::remove(file.string() + suffix, error);
+    if (error) throw core::InputError(file.string() + ": cannot be replaced: " + error.message());
+  }
+}
+
+/// A rollback journal, not write-ahead logging: the map is this one file at every moment between two transactions,
+/// also after the process was killed, and can be read from a write-protected medium.
+void configure(SQLite::Database& database) {
+  database.exec("PRAGMA foreign_keys = ON");
+  database.exec("PRAGMA journal_mode = DELETE");
+  database.exec("PRAGMA synchronous = FULL");
+  database.exec("PRAGMA secure_delete = OFF");
+  database.exec("PRAGMA temp_store = MEMORY");
+}
+
+/// Writable where permitted, also for readers: they may have to undo what a killed process left half written.
+SQLite::Database connect(const fs::path& file) {
+  const bool writable = ::access(file.c_str(), W_OK) == 0;
+  return {file.string(), writable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY, kPatience_ms};
+}
+
+}  // namespace
+
+struct MapFile::Connection {
+  fs::path file;
+  SQLite::Database database;
+
+  /// Everything `work` reads belongs to one state of the file.
+  template <class Work>
+  auto reading(const Work& work) {
+    return guarded(file, [&] {
+      const SQLite::Transaction transaction(database);
+      return work(database);
+    });
+  }
+};
+
+MapFile::MapFile(std::unique_ptr<Connection> connection) : connection_(std::move(connection)) {}
+MapFile::~MapFile() = default;
+MapFile::MapFile(MapFile&&) noexcept = default;
+MapFile& MapFile::operator=(MapFile&&) noexcept = default;
+
+MapFile MapFile::create(const fs::path& file, const MapHeader& header) {
+  const fs::path partial = file.string() + ".partial";  // so that `file` is a map as soon as it is there
+  if (fs::is_directory(file)) throw core::InputError(file.string() + ": is a folder");
+  removeDatabase(partial);
+  guarded(file, [&] {
+    SQLite::Database database(partial.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience_ms);
+    configure(database);
+    migrateSchema(database);
+    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+    writeHeader(database, header);
+    transaction.commit();
+  });
+  removeDatabase(file);
+  std::error_code error;
+  fs::rename(partial, file, error);
+  if (error) throw core::InputError(file.string() + ": cannot be created: " + error.message());
+  return open(file, MapAccess::Write);
+}
+
+MapFile MapFile::open(const fs::path& file, MapAccess access) {
+  requireFile(file);
+  return guarded(file, [&] {
+    auto connection = std::make_unique<Connection>(Connection{file, connect(file)});
+    SQLite::Database& database = connection->database;
+    requireMap(database, file);
+    configure(database);
+    if (int{database.execAndGet("PRAGMA user_version")} < schemaVersion()) migrateSchema(database);
+    if (access == MapAccess::Read) {
+      database.exec("PRAGMA query_only = ON");
+    } else if (sqlite3_db_readonly(database.getHandle(), "main") != 0) {
+      throw core::InputError(file.string() + ": is write-protected");
+    }
+    return MapFile(std::move(connection));
+  });
+}
+
+void MapFile::write(const MapChanges& changes) {
+  guarded(connection_->file, [&] {
+    SQLite::Transaction transaction(connection_->database, SQLite::TransactionBehavior::IMMEDIATE);
+    writeChanges(connection_->database, changes);
+    transaction.commit();
+  });
+}
+
+MapFileInfo MapFile::info() const {
+  auto info = connection_->reading(readInfo);
+  info.size_bytes = fs::file_size(connection_->file);
+  return info;
+}
+
+MapHeader MapFile::header() const { return connection_->reading(readHeader); }
+
+mapping::SemanticMap MapFile::read(CloudPart cloud) const {
+  return connection_->reading([cloud](SQLite::Database& database) { return readMap(database, cloud); });
+}
+
+std::vector<odometry::Keyframe> MapFile::readViews() const { return connection_->reading(storage::readViews); }
+
+std::map<odometry::PointId, Eigen::Vector3d> MapFile::readPoints() const {
+  return connection_->reading(storage::readPoints);
+}
+
+std::vector<LoopEdge> MapFile::readLoops() const { return connection_->reading(storage::readLoops); }
+
+std::vector<std::string> MapFile::check() const { return connection_->reading(checkDatabase); }
+
+MapChanges everythingOf(const mapping::SemanticMap& map) {
+  MapChanges changes;
+  changes.keyframes = map.keyframes;
+  changes.cloud = map.cloud;
+  for (const auto& [id, object] : map.objects) changes.objects.push_back(object);
+  changes.zones = map.zones;
+  changes.floorPlan = map.floorPlan;
+  return changes;
+}
+
+}  // namespace wardslam::storage

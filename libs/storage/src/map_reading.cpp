@@ -1,0 +1,225 @@
+#include "map_reading.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <functional>
+
+#include "blob_codecs.h"
+#include "map_rows.h"
+
+namespace wardslam::storage {
+namespace {
+
+/// Hands every row to `take`; trouble with a row is told with `what` it is and its first column.
+template <class Take>
+void forEachRow(SQLite::Database& database, const std::string& what, const char* sql, const Take& take) {
+  SQLite::Statement statement(database, sql);
+  while (statement.executeStep()) {
+    try {
+      take(ColumnReader(statement));
+    } catch (const BlobError& error) {
+      throw BlobError(what + " " + statement.getColumn(0).getString() + ": " + error.what());
+    }
+  }
+}
+
+std::size_t count(SQLite::Database& database, const char* sql) {
+  return static_cast<std::size_t>(database.execAndGet(sql).getInt64());
+}
+
+void readKeyframes(SQLite::Database& database, mapping::SemanticMap& map) {
+  forEachRow(database, "keyframe", "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, zone FROM keyframes ORDER BY id",
+             [&map](ColumnReader row) {
+               odometry::KeyframeId id = 0;
+               mapping::MappedKeyframe keyframe;
+               row >> id >> keyframe.stamp_s >> keyframe.T_map_cam >> keyframe.zone;
+               map.keyframes.emplace(id, keyframe);
+             });
+}
+
+void readCloud(SQLite::Database& database, mapping::SemanticMap& map) {
+  forEachRow(database, "cloud tile of keyframe", "SELECT keyframe, points FROM cloud_tiles ORDER BY keyframe",
+             [&map](ColumnReader row) {
+               odometry::KeyframeId keyframe = 0;
+               Bytes blob;
+               row >> keyframe >> blob;
+               map.cloud.emplace(keyframe, decodeTile(blob));
+             });
+}
+
+mapping::MapObject objectOf(ColumnReader row) {
+  mapping::MapObject object;
+  std::string state;
+  auto& [red, green, blue] = object.color_rgb;
+  row >> object.id >> object.classId >> object.probability >> object.centroid_m >> object.box_m.min() >>
+      object.box_m.max() >> object.orientedBox.T_map_box >> object.orientedBox.size_m >> red >> green >> blue >>
+      object.firstSeen_s >> object.lastSeen_s >> object.views >> object.zone >> state;
+  object.state = objectState(state);
+  return object;
+}
+
+void readObjects(SQLite::Database& database, mapping::SemanticMap& map) {
+  forEachRow(database, "object",
+             "SELECT id, class_id, probability, centroid_x_m, centroid_y_m, centroid_z_m, min_x_m, min_y_m, min_z_m, "
+             "max_x_m, max_y_m, max_z_m, box_x_m, box_y_m, box_z_m, box_qx, box_qy, box_qz, box_qw, box_length_m, "
+             "box_width_m, box_height_m, red, green, blue, first_seen_s, last_seen_s, views, zone, state "
+             "FROM objects ORDER BY id",
+             [&map](ColumnReader row) {
+               const auto object = objectOf(row);
+               map.objects.emplace(object.id, object);
+             });
+}
+
+void readZones(SQLite::Database& database, mapping::SemanticMap& map) {
+  std::map<std::uint32_t, mapping::Zone> zones;
+  forEachRow(database, "zone", "SELECT id, name FROM zones ORDER BY id", [&zones](ColumnReader row) {
+    std::uint32_t id = 0;
+    std::string name;
+    row >> id >> name;
+    zones[id].name = name;
+  });
+  forEachRow(database, "zone", "SELECT zone, x_m, y_m FROM zone_corners ORDER BY zone, position",
+             [&zones](ColumnReader row) {
+               std::uint32_t id = 0;
+               Eigen::Vector2d corner_m;
+               row >> id >> corner_m;
+               zones[id].polygon_m.push_back(corner_m);
+             });
+  for (auto& [id, zone] : zones) map.zones.push_back(std::move(zone));
+}
+
+void readFloorPlan(SQLite::Database& database, mapping::SemanticMap& map) {
+  forEachRow(database, "floor plan", "SELECT id, resolution_m, origin_x_m, origin_y_m, cells FROM floor_plan",
+             [&map](ColumnReader row) {
+               std::uint32_t id = 0;
+               Bytes blob;
+               row >> id >> map.floorPlan.resolution_m >> map.floorPlan.origin_m >> blob;
+               if (map.floorPlan.resolution_m <= 0) throw BlobError("its resolution is not positive");
+               map.floorPlan.cells = decodeCells(blob);
+             });
+}
+
+std::map<std::uint32_t, core::CameraModel> readCameras(SQLite::Database& database) {
+  std::map<std::uint32_t, core::CameraModel> cameras;
+  forEachRow(database, "camera",
+             "SELECT id, width_px, height_px, fx_px, fy_px, cx_px, cy_px, k1, k2, p1, p2, k3 FROM cameras",
+             [&cameras](ColumnReader row) {
+               std::uint32_t id = 0;
+               core::CameraModel c;
+               row >> id >> c.width_px >> c.height_px >> c.fx_px >> c.fy_px >> c.cx_px >> c.cy_px;
+               row >> c.k1 >> c.k2 >> c.p1 >> c.p2 >> c.k3;
+               cameras.emplace(id, c);
+             });
+  return cameras;
+}
+
+std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQLite::Database& database) {
+  const auto cameras = readCameras(database);
+  std::map<odometry::KeyframeId, odometry::Keyframe> views;
+  forEachRow(database, "features of keyframe",
+             "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, submap, camera, features "
+             "FROM keyframes JOIN views ON keyframe = id",
+             [&](ColumnReader row) {
+               odometry::Keyframe view;
+               std::uint32_t camera = 0;
+               Bytes blob;
+               row >> view.id >> view.stamp_s >> view.T_map_cam >> view.submap >> camera >> blob;
+               if (cameras.count(camera) == 0) throw BlobError("its camera is missing");
+               view.camera = cameras.at(camera);
+               view.features = decodeFeatures(blob);
+               views.emplace(view.id, std::move(view));
+             });
+  return views;
+}
+
+std::vector<LoopEdge> readEdges(SQLite::Database& database, const std::string& kind) {
+  std::vector<LoopEdge> edges;
+  const std::string sql = "SELECT from_keyframe, to_keyframe, x_m, y_m, z_m, qx, qy, qz, qw FROM edges WHERE kind = '" +
+                          kind + "' ORDER BY to_keyframe, from_keyframe";
+  forEachRow(database, kind + " edge from keyframe", sql.c_str(), [&edges](ColumnReader row) {
+    LoopEdge edge;
+    row >> edge.from >> edge.to >> edge.T_from_to;
+    edges.push_back(edge);
+  });
+  return edges;
+}
+
+}  // namespace
+
+MapFileInfo readInfo(SQLite::Database& database) {
+  MapFileInfo info;
+  info.schemaVersion = database.execAndGet("PRAGMA user_version");
+  info.keyframes = count(database, "SELECT count(*) FROM keyframes");
+  info.trackingPoints = count(database, "SELECT count(*) FROM points");
+  info.loops = count(database, "SELECT count(*) FROM edges WHERE kind = 'loop'");
+  info.cloudPoints = count(database, "SELECT coalesce(sum(point_count), 0) FROM cloud_tiles");
+  info.objects = count(database, "SELECT count(*) FROM objects");
+  info.zones = count(database, "SELECT count(*) FROM zones");
+  info.firstStamp_s = database.execAndGet("SELECT coalesce(min(stamp_s), 0) FROM keyframes");
+  info.lastStamp_s = database.execAndGet("SELECT coalesce(max(stamp_s), 0) FROM keyframes");
+  return info;
+}
+
+MapHeader readHeader(SQLite::Database& database) {
+  MapHeader header;
+  forEachRow(database, "property", "SELECT name, value FROM properties WHERE name = 'options'",
+             [&header](ColumnReader row) {
+               std::string name;
+               row >> name >> header.options;
+             });
+  forEachRow(database, "label", "SELECT class_id, name FROM labels ORDER BY class_id", [&header](ColumnReader row) {
+    core::ClassId id = 0;
+    std::string name;
+    row >> id >> name;
+    header.labels.rename(id, name);
+  });
+  return header;
+}
+
+mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud) {
+  mapping::SemanticMap map;
+  map.labels = readHeader(database).labels;
+  readKeyframes(database, map);
+  if (cloud == CloudPart::Include) readCloud(database, map);
+  readObjects(database, map);
+  readZones(database, map);
+  readFloorPlan(database, map);
+  return map;
+}
+
+std::vector<odometry::Keyframe> readViews(SQLite::Database& database) {
+  auto views = readKeyframesWithFeatures(database);
+  for (const auto& edge : readEdges(database, "odometry")) {
+    if (const auto view = views.find(edge.to); view != views.end()) view->second.T_previous_cam = edge.T_from_to;
+  }
+  forEachRow(database, "sighting of keyframe",
+             "SELECT keyframe, point, keypoint FROM sightings ORDER BY keyframe, point", [&views](ColumnReader row) {
+               odometry::KeyframeId keyframe = 0;
+               odometry::PointId point = 0;
+               std::uint64_t keypoint = 0;
+               row >> keyframe >> point >> keypoint;
+               const auto view = views.find(keyframe);
+               if (view == views.end()) throw BlobError("that keyframe has no features");
+               if (keypoint >= view->second.features.size()) throw BlobError("it names a key point that is not there");
+               view->second.sightings.push_back({point, static_cast<std::size_t>(keypoint)});
+             });
+  std::vector<odometry::Keyframe> inOrder;
+  inOrder.reserve(views.size());
+  for (auto& [id, view] : views) inOrder.push_back(std::move(view));
+  return inOrder;
+}
+
+std::map<odometry::PointId, Eigen::Vector3d> readPoints(SQLite::Database& database) {
+  std::map<odometry::PointId, Eigen::Vector3d> points;
+  forEachRow(database, "point", "SELECT id, x_m, y_m, z_m FROM points ORDER BY id", [&points](ColumnReader row) {
+    odometry::PointId id = 0;
+    Eigen::Vector3d p_map_m;
+    row >> id >> p_map_m;
+    points.emplace(id, p_map_m);
+  });
+  return points;
+}
+
+std::vector<LoopEdge> readLoops(SQLite::Database& database) { return readEdges(database, "loop"); }
+
+}  // namespace wardslam::storage

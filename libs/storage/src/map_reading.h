@@ -1,0 +1,17 @@
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include "wardslam/storage/map_file.h"
+
+/// Reading of the tables. BlobError says which row is wrong.
+namespace wardslam::storage {
+
+[[nodiscard]] MapFileInfo readInfo(SQLite::Database& database);
+[[nodiscard]] MapHeader readHeader(SQLite::Database& database);
+[[nodiscard]] mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud);
+[[nodiscard]] std::vector<odometry::Keyframe> readViews(SQLite::Database& database);
+[[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints(SQLite::Database& database);
+[[nodiscard]] std::vector<LoopEdge> readLoops(SQLite::Database& database);
+
+}  // namespace wardslam::storage

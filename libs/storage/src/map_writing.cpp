@@ -1,0 +1,242 @@
+#include "map_writing.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "blob_codecs.h"
+#include "map_rows.h"
+
+namespace wardslam::storage {
+namespace {
+
+void writeKeyframes(SQLite::Database& database, const MapChanges& changes) {
+  SQLite::Statement upsert(database,
+                           "INSERT INTO keyframes VALUES (?,?, ?,?,?, ?,?,?,?, ?) ON CONFLICT (id) DO UPDATE SET "
+                           "stamp_s = excluded.stamp_s, x_m = excluded.x_m, y_m = excluded.y_m, z_m = excluded.z_m, "
+                           "qx = excluded.qx, qy = excluded.qy, qz = excluded.qz, qw = excluded.qw, "
+                           "zone = excluded.zone");
+  for (const auto& [id, keyframe] : changes.keyframes) {
+    (ParameterBinder(upsert) << id << keyframe.stamp_s << keyframe.T_map_cam << keyframe.zone).run();
+  }
+}
+
+std::int64_t cameraId(SQLite::Database& database, const core::CameraModel& c) {
+  const auto bindTo = [&c](SQLite::Statement& statement) {
+    return ParameterBinder(statement) << c.width_px << c.height_px << c.fx_px << c.fy_px << c.cx_px << c.cy_px << c.k1
+                                      << c.k2 << c.p1 << c.p2 << c.k3;
+  };
+  SQLite::Statement insert(database,
+                           "INSERT OR IGNORE INTO cameras (width_px, height_px, fx_px, fy_px, cx_px, cy_px, k1, k2, "
+                           "p1, p2, k3) VALUES (?,?, ?,?,?,?, ?,?,?,?,?)");
+  bindTo(insert).run();
+  SQLite::Statement find(database,
+                         "SELECT id FROM cameras WHERE (width_px, height_px, fx_px, fy_px, cx_px, cy_px, k1, k2, p1, "
+                         "p2, k3) = (?,?, ?,?,?,?, ?,?,?,?,?)");
+  bindTo(find);
+  find.executeStep();
+  return find.getColumn(0).getInt64();
+}
+
+/// What points turned out to be, since the file was opened: sightings under the old ids may still come.
+class FusedPoints {
+ public:
+  explicit FusedPoints(SQLite::Database& database)
+      : insert_(database, "INSERT OR REPLACE INTO temp.fused VALUES (?,?)"),
+        find_(database, "SELECT into_point FROM temp.fused WHERE from_point = ?") {}
+
+  void add(odometry::PointId from, odometry::PointId into) { (ParameterBinder(insert_) << from << into).run(); }
+
+  odometry::PointId currentIdOf(odometry::PointId point) {
+    ParameterBinder(find_) << point;
+    while (find_.executeStep()) {
+      ColumnReader(find_) >> point;
+      ParameterBinder(find_) << point;
+    }
+    return point;
+  }
+
+ private:
+  SQLite::Statement insert_;
+  SQLite::Statement find_;
+};
+
+class SightingWriter {
+ public:
+  explicit SightingWriter(SQLite::Database& database)
+      : fused_(database),
+        point_(database, "INSERT OR IGNORE INTO points VALUES (?, ?,?,?)"),
+        sighting_(database, "INSERT OR IGNORE INTO sightings SELECT ?, id, ? FROM points WHERE id = ?") {}
+
+  /// A point not known yet is made from the key point's depth. Without depth nobody knows where it is: it was removed
+  /// meanwhile, and so this sighting is left out.
+  void write(const odometry::Keyframe& view, const Eigen::Isometry3d& T_map_cam, const odometry::Sighting& sighting) {
+    const odometry::PointId point = fused_.currentIdOf(sighting.point);
+    const auto& keypoint = view.features.keypoints[sighting.keypoint];
+    if (keypoint.hasDepth()) {
+      const Eigen::Vector2d pixel(keypoint.undistorted_px.x, keypoint.undistorted_px.y);
+      const Eigen::Vector3d p_cam_m = view.camera.unproject(pixel, static_cast<double>(keypoint.depth_m));
+      (ParameterBinder(point_) << point << Eigen::Vector3d(T_map_cam * p_cam_m)).run();
+    }
+    (ParameterBinder(sighting_) << view.id << std::uint64_t{sighting.keypoint} << point).run();
+  }
+
+ private:
+  FusedPoints fused_;
+  SQLite::Statement point_;
+  SQLite::Statement sighting_;
+};
+
+void writeEdge(SQLite::Database& database, const char* kind, const LoopEdge& edge) {
+  SQLite::Statement insert(database, "INSERT OR REPLACE INTO edges VALUES (?, ?,?, ?,?,?, ?,?,?,?)");
+  (ParameterBinder(insert) << kind << edge.from << edge.to << edge.T_from_to).run();
+}
+
+bool isKnown(SQLite::Database& database, odometry::KeyframeId keyframe, std::uint32_t submap) {
+  SQLite::Statement find(database, "SELECT 1 FROM views WHERE keyframe = ? AND submap = ?");
+  ParameterBinder(find) << keyframe << submap;
+  return find.executeStep();
+}
+
+Eigen::Isometry3d poseOf(SQLite::Database& database, odometry::KeyframeId keyframe) {
+  SQLite::Statement find(database, "SELECT x_m, y_m, z_m, qx, qy, qz, qw FROM keyframes WHERE id = ?");
+  ParameterBinder(find) << keyframe;
+  Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+  if (find.executeStep()) ColumnReader(find) >> T_map_cam;
+  return T_map_cam;
+}
+
+void writeViews(SQLite::Database& database, const MapChanges& changes) {
+  SQLite::Statement insert(database, "INSERT INTO views VALUES (?,?,?,?)");
+  SightingWriter sightings(database);
+  for (const auto& view : changes.views) {
+    const auto camera = static_cast<std::uint64_t>(cameraId(database, view->camera));
+    (ParameterBinder(insert) << view->id << view->submap << camera << encodeFeatures(view->features)).run();
+    const Eigen::Isometry3d T_map_cam = poseOf(database, view->id);
+    for (const auto& sighting : view->sightings) sightings.write(*view, T_map_cam, sighting);
+    if (isKnown(database, view->id - 1, view->submap)) {
+      writeEdge(database, "odometry", {view->id - 1, view->id, view->T_previous_cam});
+    }
+  }
+}
+
+class PointRemover {
+ public:
+  explicit PointRemover(SQLite::Database& database)
+      : sightings_(database, "DELETE FROM sightings WHERE point = ?"),
+        point_(database, "DELETE FROM points WHERE id = ?") {}
+
+  void remove(odometry::PointId point) {
+    (ParameterBinder(sightings_) << point).run();
+    (ParameterBinder(point_) << point).run();
+  }
+
+ private:
+  SQLite::Statement sightings_;
+  SQLite::Statement point_;
+};
+
+void fusePoints(SQLite::Database& database, const MapChanges& changes) {
+  FusedPoints fused(database);
+  for (const auto& [from, into] : changes.fusedPoints) fused.add(from, into);
+  SQLite::Statement keep(database, "INSERT OR IGNORE INTO points SELECT ?, x_m, y_m, z_m FROM points WHERE id = ?");
+  SQLite::Statement rename(database, "UPDATE OR IGNORE sightings SET point = ? WHERE point = ?");
+  PointRemover remover(database);
+  for (const auto& [from, next] : changes.fusedPoints) {
+    const odometry::PointId into = fused.currentIdOf(from);
+    (ParameterBinder(keep) << into << from).run();
+    (ParameterBinder(rename) << into << from).run();
+    remover.remove(from);
+  }
+}
+
+void writePoints(SQLite::Database& database, const MapChanges& changes) {
+  fusePoints(database, changes);
+  PointRemover remover(database);
+  for (const auto point : changes.removedPoints) remover.remove(point);
+  SQLite::Statement move(database, "UPDATE points SET (x_m, y_m, z_m) = (?,?,?) WHERE id = ?");
+  for (const auto& [point, p_map_m] : changes.p_map_m) (ParameterBinder(move) << p_map_m << point).run();
+}
+
+void writeCloud(SQLite::Database& database, const MapChanges& changes) {
+  SQLite::Statement replace(database, "INSERT OR REPLACE INTO cloud_tiles VALUES (?,?,?)");
+  SQLite::Statement remove(database, "DELETE FROM cloud_tiles WHERE keyframe = ?");
+  for (const auto& [keyframe, tile] : changes.cloud) {
+    if (tile.points.empty()) {
+      (ParameterBinder(remove) << keyframe).run();
+    } else {
+      (ParameterBinder(replace) << keyframe << std::uint64_t{tile.points.size()} << encodeTile(tile)).run();
+    }
+  }
+}
+
+void removeObjects(SQLite::Database& database, const MapChanges& changes) {
+  SQLite::Statement object(database, "DELETE FROM objects WHERE id = ?");
+  SQLite::Statement box(database, "DELETE FROM object_boxes WHERE id = ?");
+  for (const auto id : changes.removedObjects) {
+    (ParameterBinder(object) << id).run();
+    (ParameterBinder(box) << id).run();
+  }
+}
+
+void writeObjects(SQLite::Database& database, const MapChanges& changes) {
+  SQLite::Statement row(database,
+                        "INSERT OR REPLACE INTO objects VALUES (?,?,?, ?,?,?, ?,?,?, ?,?,?, ?,?,?, ?,?,?,?, ?,?,?, "
+                        "?,?,?, ?,?,?, ?,?)");
+  SQLite::Statement boxRow(database, "INSERT OR REPLACE INTO object_boxes VALUES (?, ?,?, ?,?, ?,?)");
+  for (const auto& object : changes.objects) {
+    const auto& [red, green, blue] = object.color_rgb;
+    const Eigen::Vector3d& min = object.box_m.min();
+    const Eigen::Vector3d& max = object.box_m.max();
+    ParameterBinder values(row);
+    values << object.id << int{object.classId} << object.probability << object.centroid_m << min << max;
+    values << object.orientedBox.T_map_box << object.orientedBox.size_m << int{red} << int{green} << int{blue};
+    values << object.firstSeen_s << object.lastSeen_s << object.views << object.zone << nameOf(object.state);
+    values.run();
+    ParameterBinder box(boxRow);
+    box << object.id << min.x() << max.x() << min.y() << max.y() << min.z() << max.z();
+    box.run();
+  }
+}
+
+void writeZones(SQLite::Database& database, const std::vector<mapping::Zone>& zones) {
+  database.exec("DELETE FROM zone_corners; DELETE FROM zones");
+  SQLite::Statement zoneRow(database, "INSERT INTO zones VALUES (?,?)");
+  SQLite::Statement cornerRow(database, "INSERT INTO zone_corners VALUES (?,?, ?,?)");
+  std::uint32_t id = 0;
+  for (const auto& zone : zones) {
+    (ParameterBinder(zoneRow) << ++id << zone.name).run();
+    std::uint32_t position = 0;
+    for (const auto& corner : zone.polygon_m) (ParameterBinder(cornerRow) << id << position++ << corner).run();
+  }
+}
+
+void writeFloorPlan(SQLite::Database& database, const mapping::FloorPlan& plan) {
+  SQLite::Statement replace(database, "INSERT OR REPLACE INTO floor_plan VALUES (1, ?, ?,?, ?)");
+  (ParameterBinder(replace) << plan.resolution_m << plan.origin_m << encodeCells(plan.cells)).run();
+}
+
+}  // namespace
+
+void writeHeader(SQLite::Database& database, const MapHeader& header) {
+  SQLite::Statement property(database, "INSERT INTO properties VALUES (?,?)");
+  (ParameterBinder(property) << "options" << header.options).run();
+  SQLite::Statement label(database, "INSERT INTO labels VALUES (?,?)");
+  for (int id = 0; id <= UINT8_MAX; ++id) {
+    const std::string& name = header.labels.name(static_cast<core::ClassId>(id));
+    if (!name.empty()) (ParameterBinder(label) << id << name).run();
+  }
+}
+
+void writeChanges(SQLite::Database& database, const MapChanges& changes) {
+  database.exec("CREATE TEMP TABLE IF NOT EXISTS fused (from_point INTEGER PRIMARY KEY, into_point INTEGER NOT NULL)");
+  writeKeyframes(database, changes);
+  writeViews(database, changes);
+  writePoints(database, changes);
+  for (const auto& loop : changes.loops) writeEdge(database, "loop", loop);
+  writeCloud(database, changes);
+  removeObjects(database, changes);
+  writeObjects(database, changes);
+  if (changes.zones) writeZones(database, *changes.zones);
+  if (changes.floorPlan) writeFloorPlan(database, *changes.floorPlan);
+}
+
+}  // namespace wardslam::storage

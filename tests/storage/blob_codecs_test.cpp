@@ -1,0 +1,75 @@
+#include "blob_codecs.h"
+
+#include <gtest/gtest.h>
+
+#include "support/hand_made_map.h"
+
+namespace wardslam::storage {
+namespace {
+
+bool equal(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && a.type() == b.type() && (a.empty() || cv::norm(a, b, cv::NORM_INF) == 0);
+}
+
+TEST(BlobCodecs, FeaturesComeBackToTheBit) {
+  const auto features = test::makeView(1, test::makeWard())->features;
+  const auto read = decodeFeatures(encodeFeatures(features));
+  ASSERT_EQ(read.size(), features.size());
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const auto& a = features.keypoints[i];
+    const auto& b = read.keypoints[i];
+    EXPECT_EQ(a.raw_px, b.raw_px);
+    EXPECT_EQ(a.undistorted_px, b.undistorted_px);
+    EXPECT_EQ(a.depth_m, b.depth_m);
+    EXPECT_EQ(a.angle_rad, b.angle_rad);
+    EXPECT_EQ(a.response, b.response);
+    EXPECT_EQ(a.scale, b.scale);
+    EXPECT_EQ(b.motion, core::Motion::Static);
+  }
+  EXPECT_TRUE(equal(read.descriptors, features.descriptors));
+}
+
+TEST(BlobCodecs, TilesComeBackToTheBit) {
+  const auto tile = test::makeWard().cloud.at(2);
+  const auto read = decodeTile(encodeTile(tile));
+  ASSERT_EQ(read.points.size(), tile.points.size());
+  for (std::size_t i = 0; i < tile.points.size(); ++i) {
+    EXPECT_EQ(read.points[i].p_cam_m, tile.points[i].p_cam_m);
+    EXPECT_EQ(read.points[i].color_rgb, tile.points[i].color_rgb);
+    EXPECT_EQ(read.points[i].classId, tile.points[i].classId);
+    EXPECT_EQ(read.points[i].object, tile.points[i].object);
+    EXPECT_EQ(read.points[i].sightings, tile.points[i].sightings);
+  }
+}
+
+TEST(BlobCodecs, CellsComeBack) {
+  const auto cells = test::makeFloorPlan().cells;
+  EXPECT_TRUE(equal(decodeCells(encodeCells(cells)), cells));
+  EXPECT_TRUE(equal(decodeCells(encodeCells(cells.colRange(3, 90))), cells.colRange(3, 90))) << "not continuous";
+}
+
+TEST(BlobCodecs, NothingComesBackAsNothing) {
+  EXPECT_EQ(decodeFeatures(encodeFeatures({})).size(), 0U);
+  EXPECT_TRUE(decodeTile(encodeTile({})).points.empty());
+  EXPECT_TRUE(decodeCells(encodeCells({})).empty());
+}
+
+TEST(BlobCodecs, RefuseContentOfAnotherLength) {
+  ByteWriter out;
+  out.put(std::uint32_t{1000});
+  out.put(1.0F);
+  EXPECT_THROW((void)decodeFeatures(pack(BlobKind::Features, 1, out.bytes())), BlobError);
+  EXPECT_THROW((void)decodeTile(pack(BlobKind::CloudTile, 1, out.bytes())), BlobError);
+  EXPECT_THROW((void)decodeCells(pack(BlobKind::FloorCells, 1, out.bytes())), BlobError);
+  EXPECT_THROW((void)decodeCells(pack(BlobKind::FloorCells, 1, {})), BlobError);
+}
+
+TEST(BlobCodecs, RefuseSizesThatOverflow) {
+  ByteWriter out;
+  out.put(std::uint32_t{0x80000000});
+  out.put(std::uint32_t{0x80000000});
+  EXPECT_THROW((void)decodeCells(pack(BlobKind::FloorCells, 1, out.bytes())), BlobError);
+}
+
+}  // namespace
+}  // namespace wardslam::storage
