@@ -2,7 +2,7 @@
 
 #include <ctime>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 #include <ostream>
 #include <string>
 
@@ -35,14 +35,6 @@ const char* floorName(unsigned char cell) {
 double area_m2(const mapping::FloorPlan& plan, unsigned char kind) {
   const int cells = plan.cells.empty() ? 0 : cv::countNonZero(plan.cells == kind);
   return cells * plan.resolution_m * plan.resolution_m;
-}
-
-double area_m2(const mapping::Zone& zone) {
-  std::vector<cv::Point2f> corners;
-  for (const auto& corner : zone.polygon_m) {
-    corners.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
-  }
-  return corners.empty() ? 0.0 : cv::contourArea(corners);
 }
 
 std::string timeText(double stamp_s) {

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "floor_ways.h"
@@ -30,26 +29,6 @@ Eigen::AlignedBox3d seatOf(const MapObject& object) {
 bool overlap(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
   return (a.min().array() < b.max().array()).all() && (b.min().array() < a.max().array()).all();
 }
-
-class ZonePolygon {
- public:
-  explicit ZonePolygon(const Zone& zone) : name_(zone.name) {
-    for (const auto& corner : zone.polygon_m) {
-      corners_.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
-    }
-  }
-
-  [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] double area_m2() const { return cv::contourArea(corners_); }
-  [[nodiscard]] bool contains(const Eigen::Vector2d& p_map_m) const {
-    const cv::Point2f point(static_cast<float>(p_map_m.x()), static_cast<float>(p_map_m.y()));
-    return !corners_.empty() && cv::pointPolygonTest(corners_, point, false) >= 0;
-  }
-
- private:
-  std::string name_;
-  std::vector<cv::Point2f> corners_;
-};
 
 struct Entry {
   const MapObject* object = nullptr;
@@ -92,7 +71,7 @@ struct Query::Index {
   void findWaysTo();
 
   [[nodiscard]] std::size_t zoneNamed(const std::string& name) const {
-    const auto zone = std::find_if(zones.begin(), zones.end(), [&](const auto& z) { return z.name() == name; });
+    const auto zone = std::find_if(zones.begin(), zones.end(), [&](const auto& z) { return z.name == name; });
     return static_cast<std::size_t>(zone - zones.begin());
   }
 
@@ -102,8 +81,8 @@ struct Query::Index {
 
   const FloorPlan& floorPlan;
   double newestStamp_s = 0.0;
-  std::vector<ZonePolygon> zones;  ///< Smallest first.
-  std::vector<Entry> entries;      ///< In order of ids.
+  std::vector<Zone> zones;     ///< Smallest first.
+  std::vector<Entry> entries;  ///< In order of ids.
   FloorWays ways;
   Arrivals arrivals;
 };
@@ -116,11 +95,11 @@ Query::Index::Index(const SemanticMap& map) : floorPlan(map.floorPlan), ways(map
 }
 
 void Query::Index::findZones(const SemanticMap& map) {
-  for (const auto& zone : map.zones) zones.emplace_back(zone);
-  std::stable_sort(zones.begin(), zones.end(), [](const auto& a, const auto& b) { return a.area_m2() < b.area_m2(); });
+  zones = map.zones;
+  std::stable_sort(zones.begin(), zones.end(), [](const auto& a, const auto& b) { return area_m2(a) < area_m2(b); });
   for (const auto& [id, object] : map.objects) {
     Entry entry{&object, std::vector<bool>(zones.size()), true};
-    for (std::size_t i = 0; i < zones.size(); ++i) entry.inZone[i] = zones[i].contains(object.centroid_m.head<2>());
+    for (std::size_t i = 0; i < zones.size(); ++i) entry.inZone[i] = contains(zones[i], object.centroid_m.head<2>());
     entries.push_back(std::move(entry));
   }
 }
@@ -229,7 +208,7 @@ Place Query::at(const Eigen::Vector3d& p_map_m) const {
   std::stable_sort(place.objects.begin(), place.objects.end(),
                    [](const auto* a, const auto* b) { return a->box_m.volume() < b->box_m.volume(); });
   for (const auto& zone : index_->zones) {
-    if (zone.contains(p_map_m.head<2>())) place.zones.push_back(zone.name());
+    if (contains(zone, p_map_m.head<2>())) place.zones.push_back(zone.name);
   }
   const FloorPlan& plan = index_->floorPlan;
   const Eigen::Vector2d cell = ((p_map_m.head<2>() - plan.origin_m) / plan.resolution_m).array().floor();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <set>
 #include <utility>
 
@@ -13,14 +12,6 @@
 
 namespace wardslam::mapping {
 namespace {
-
-std::vector<cv::Point2f> contourOf(const Zone& zone) {
-  std::vector<cv::Point2f> contour;
-  for (const auto& corner : zone.polygon_m) {
-    contour.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
-  }
-  return contour;
-}
 
 /// > 0 when a, b, c turn to the left.
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -50,7 +41,7 @@ std::string whyUnusable(const Zone& zone) {
     return "has a corner that is not a number";
   }
   if (crossesItself(zone.polygon_m)) return "has sides that cross; list its corners in order around it";
-  if (cv::contourArea(contourOf(zone)) <= 0.0) return "has no area";
+  if (area_m2(zone) <= 0.0) return "has no area";
   return {};
 }
 
@@ -81,9 +72,7 @@ Zones::Zones(std::vector<Zone> zones) : zones_(std::move(zones)) {
       throw core::InputError("zone \"" + zone.name + "\" " + reason);
     }
   }
-  std::stable_sort(zones_.begin(), zones_.end(), [](const Zone& a, const Zone& b) {
-    return cv::contourArea(contourOf(a)) < cv::contourArea(contourOf(b));
-  });
+  std::stable_sort(zones_.begin(), zones_.end(), [](const Zone& a, const Zone& b) { return area_m2(a) < area_m2(b); });
 }
 
 Zones Zones::fromFile(const std::filesystem::path& file) {
@@ -101,10 +90,8 @@ Zones Zones::fromFile(const std::filesystem::path& file) {
 }
 
 std::string Zones::at(const Eigen::Vector2d& p_map_m) const {
-  const cv::Point2f p(static_cast<float>(p_map_m.x()), static_cast<float>(p_map_m.y()));
-  const auto around = std::find_if(zones_.begin(), zones_.end(), [&](const Zone& zone) {
-    return cv::pointPolygonTest(contourOf(zone), p, false) >= 0.0;
-  });
+  const auto around =
+      std::find_if(zones_.begin(), zones_.end(), [&](const Zone& zone) { return contains(zone, p_map_m); });
   return around == zones_.end() ? std::string() : around->name;
 }
 

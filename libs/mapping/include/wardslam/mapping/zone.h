@@ -12,4 +12,9 @@ struct Zone {
   std::vector<Eigen::Vector2d> polygon_m;  ///< At least 3 corners, not closed.
 };
 
+/// Whether the place lies in the zone; its border belongs to it.
+[[nodiscard]] bool contains(const Zone& zone, const Eigen::Vector2d& p_map_m);
+
+[[nodiscard]] double area_m2(const Zone& zone);
+
 }  // namespace wardslam::mapping
