@@ -8,6 +8,7 @@
 #include "run_command.h"
 #include "support/command_line.h"
 #include "support/program.h"
+#include "sweep_command.h"
 
 int main(int argc, char** argv) {
   using namespace wardslam::apps;
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "wardslam " WARDSLAM_VERSION);
     app.require_subcommand(1);
     addRunCommand(app);
+    addSweepCommand(app);
     addEvalCommand(app);
     addConfigCommand(app);
     addModelsCommand(app);

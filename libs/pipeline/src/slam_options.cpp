@@ -28,9 +28,14 @@ bool SlamOptions::setFilterParameter(const std::string& className, const std::st
 }
 
 SlamOptions readSlamOptions(const std::filesystem::path& file) {
+  return readSlamOptions(core::ConfigNode::fromFile(file));
+}
+
+SlamOptions readSlamOptions(const core::ConfigNode& root) {
+  const std::filesystem::path& file = root.file();
   SlamOptions options;
   options.file = file;
-  core::OptionReader reader(core::ConfigNode::fromFile(file));
+  core::OptionReader reader(root);
   SlamOptions::describe(options, reader);
   if (const auto filters = reader.opaque("filters"); filters.exists()) options.filters = filters;
   reader.finish();

@@ -71,6 +71,9 @@ struct SlamOptions {
 /// Defaults, overwritten by what the file says. Throws core::InputError naming file, line and key.
 [[nodiscard]] SlamOptions readSlamOptions(const std::filesystem::path& file);
 
+/// The same from a configuration that is read already, as if it stood in `root.file()`.
+[[nodiscard]] SlamOptions readSlamOptions(const core::ConfigNode& root);
+
 /// All options as commented YAML that readSlamOptions() takes. The chain knows the parameters of `options.filters`.
 [[nodiscard]] std::string writeSlamOptions(const SlamOptions& options, const filters::FilterChain& chain);
 
