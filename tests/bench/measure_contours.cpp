@@ -3,7 +3,8 @@
 // folder of masks. People are compared to the truth before and after: those found that are no people at all (less than
 // half of the mask on one) are left out, as no contour can mend them. Prints one row of a Markdown table:
 //
-//   sequence | IoU | boundary F within 2 px | boundary F within 6 px (DAVIS) | background taken, px per image | recall | ms
+//   sequence | IoU | boundary F within 2 px | boundary F within 6 px (DAVIS) | background taken, px per image | recall
+//   | ms
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -29,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const core::ClassId kPerson = getenv("CL") ? static_cast<core::ClassId>(atoi(getenv("CL"))) : core::ClassId(1);
+constexpr core::ClassId kPerson = 1;
 
 struct Arguments {
   fs::path recording;
@@ -71,7 +72,8 @@ void keepTruePeople(core::Segmentation& found, const cv::Mat& truth) {
     return 2 * cv::countNonZero(mask & truth) < cv::countNonZero(mask);
   };
   auto& instances = found.instances;
-  const auto end = std::stable_partition(instances.begin(), instances.end(), [&](const auto& i) { return !isWrong(i); });
+  const auto end =
+      std::stable_partition(instances.begin(), instances.end(), [&](const auto& i) { return !isWrong(i); });
   for (auto wrong = end; wrong != instances.end(); ++wrong) {
     const cv::Mat mask = found.instanceIds == wrong->id;
     found.classIds.setTo(0, mask);
@@ -97,7 +99,7 @@ struct Measurement {
   std::vector<double> times_ms;
 
   void add(const Arguments& arguments, core::Frame& frame, const cv::Mat& truth) {
-    const segmentation::ContourRefiner refiner({});
+    const segmentation::ContourRefiner refiner({}, segmentation::ContourRefiner::ClassSet().set(kPerson));
     const std::clock_t start = std::clock();
     const core::Segmentation refined = refiner.refine(frame.color_bgr, frame.depth_m, frame.segmentation);
     times_ms.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
@@ -153,6 +155,7 @@ int main(int argc, char** argv) try {
   app.add_option("--every", arguments.every)->check(CLI::PositiveNumber);
   app.add_option("--pictures", arguments.pictures)->check(CLI::ExistingDirectory);
   CLI11_PARSE(app, argc, argv)
+  cv::setNumThreads(1);  // figures are for one core
   wardslam::measure(arguments).print(arguments.recording.filename().string());
   return 0;
 } catch (const std::exception& error) {

@@ -170,6 +170,41 @@ TEST(AsyncSegmenter, EndsWithWorkPending) {
   EXPECT_EQ(log.finished, 0);
 }
 
+/// Finds the same person in every image.
+class FindsAPerson : public Segmenter {
+ public:
+  explicit FindsAPerson(core::Segmentation found) : found_(std::move(found)) {}
+  Result segment(const cv::Mat& /*color_bgr*/, double /*stamp_s*/) override { return {found_, {}}; }
+  const core::LabelSpace& labelSpace() const override { return labelSpace_; }
+
+ private:
+  core::Segmentation found_;
+  core::LabelSpace labelSpace_ = core::LabelSpace::coco();
+};
+
+TEST(AsyncSegmenter, RefinesContoursWhereItCan) {
+  const cv::Rect person(40, 30, 30, 60);
+  cv::Mat color_bgr(120, 160, CV_8UC3, cv::Scalar::all(200));
+  cv::Mat depth_m(120, 160, CV_32FC1, cv::Scalar(4.0));
+  color_bgr(person).setTo(cv::Scalar(90, 40, 20));
+  depth_m(person).setTo(2.0);
+  const cv::Rect wide(35, 25, 40, 70);
+  core::Segmentation found = {
+      cv::Mat::zeros(120, 160, CV_8UC1), cv::Mat::zeros(120, 160, CV_16UC1), {{3, 1, 1.0F, wide}}};
+  found.classIds(wide).setTo(1);
+  found.instanceIds(wide).setTo(3);
+
+  const ContourRefiner refiner({}, ContourRefiner::ClassSet().set(1));
+  AsyncSegmenter async(std::make_unique<FindsAPerson>(found), refiner);
+  async.submit(color_bgr, 1.0, depth_m);
+  const core::Segmentation refined = async.wait().segmentation;
+  EXPECT_EQ(cv::norm(refined.classIds, refiner.refine(color_bgr, depth_m, found).classIds, cv::NORM_INF), 0.0);
+  EXPECT_GT(cv::norm(refined.classIds, found.classIds, cv::NORM_INF), 0.0);
+
+  async.submit(color_bgr, 2.0);
+  EXPECT_EQ(cv::norm(async.wait().segmentation.classIds, found.classIds, cv::NORM_INF), 0.0) << "no depth";
+}
+
 TEST(AsyncSegmenter, EndsWithoutWork) {
   for (int i = 0; i < 100; ++i) {
     Log log;

@@ -1,20 +1,25 @@
 #include "wardslam/pipeline/slam_system.h"
 
 #include "wardslam/core/data_files.h"
-#include "wardslam/knowledge/knowledge_graph.h"
+#include "wardslam/knowledge/motion_rules.h"
 #include "wardslam/segmentation/async_segmenter.h"
 
 namespace wardslam::pipeline {
 namespace {
 
-std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentation::SegmentationOptions& options) {
-  auto segmenter = segmentation::makeSegmenter(options);
-  return segmenter ? std::make_shared<segmentation::AsyncSegmenter>(std::move(segmenter)) : nullptr;
-}
-
 std::shared_ptr<const knowledge::KnowledgeGraph> readKnowledge(const SlamOptions& options) {
   const auto file = core::findDataFile(options.knowledge.file, options.file);
   return std::make_shared<knowledge::KnowledgeGraph>(knowledge::KnowledgeGraph::fromFile(file));
+}
+
+/// Contours are refined of what moves by itself: its key points must go, those beside it should stay.
+std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentation::SegmentationOptions& options,
+                                                                 const knowledge::KnowledgeGraph& knowledge) {
+  auto segmenter = segmentation::makeSegmenter(options);
+  if (!segmenter) return nullptr;
+  const knowledge::MotionRules rules(knowledge, segmenter->labelSpace());
+  return std::make_shared<segmentation::AsyncSegmenter>(std::move(segmenter),
+                                                        segmentation::makeContourRefiner(options, rules.moving()));
 }
 
 mapping::Zones readZones(const SlamOptions& options) {
@@ -26,11 +31,12 @@ mapping::Zones readZones(const SlamOptions& options) {
 
 SlamSystem::SlamSystem(const SlamOptions& options)
     : options_(options),
-      segmenter_(makeAsyncSegmenter(options.segmentation)),
+      knowledge_(readKnowledge(options)),
+      segmenter_(makeAsyncSegmenter(options.segmentation, *knowledge_)),
       labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
       zones_(readZones(options)),
       features_(options.features),
-      filters_(options.filters, {segmenter_, readKnowledge(options), options.deterministic}),
+      filters_(options.filters, {segmenter_, knowledge_, options.deterministic}),
       odometry_(options.odometry),
       map_(std::make_unique<graph::Mapper>(options.graph, options.odometry), !options.deterministic) {
   requireValid(options.map_frame);

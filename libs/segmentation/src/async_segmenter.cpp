@@ -6,8 +6,8 @@
 
 namespace wardslam::segmentation {
 
-AsyncSegmenter::AsyncSegmenter(std::unique_ptr<Segmenter> segmenter)
-    : segmenter_(std::move(segmenter)), worker_([this] { work(); }) {}
+AsyncSegmenter::AsyncSegmenter(std::unique_ptr<Segmenter> segmenter, std::optional<ContourRefiner> refiner)
+    : segmenter_(std::move(segmenter)), refiner_(refiner), worker_([this] { work(); }) {}
 
 AsyncSegmenter::~AsyncSegmenter() {
   {
@@ -18,8 +18,8 @@ AsyncSegmenter::~AsyncSegmenter() {
   worker_.join();
 }
 
-void AsyncSegmenter::submit(const cv::Mat& color_bgr, double stamp_s) {
-  Task task([this, color_bgr, stamp_s] { return segmenter_->segment(color_bgr, stamp_s); });
+void AsyncSegmenter::submit(const cv::Mat& color_bgr, double stamp_s, const cv::Mat& depth_m) {
+  Task task([this, color_bgr, stamp_s, depth_m] { return segment(color_bgr, stamp_s, depth_m); });
   result_ = task.get_future();
   {
     const std::lock_guard lock(mutex_);
@@ -41,6 +41,12 @@ std::optional<Segmenter::Result> AsyncSegmenter::tryTake() {
 void AsyncSegmenter::finish() {
   if (result_.valid()) result_.wait();
   segmenter_->finish();
+}
+
+Segmenter::Result AsyncSegmenter::segment(const cv::Mat& color_bgr, double stamp_s, const cv::Mat& depth_m) {
+  auto result = segmenter_->segment(color_bgr, stamp_s);
+  if (refiner_) result.segmentation = refiner_->refine(color_bgr, depth_m, result.segmentation);
+  return result;
 }
 
 void AsyncSegmenter::work() {

@@ -22,10 +22,11 @@ struct SmallImages {
   cv::Mat instanceIds;
 };
 
+/// Columns and rows at the end that fill no step are left out.
 cv::Mat everyNth(const cv::Mat& image, int step) {
   cv::Mat smaller;
-  const cv::Size size((image.cols + step - 1) / step, (image.rows + step - 1) / step);
-  cv::resize(image, smaller, size, 0, 0, cv::INTER_NEAREST);
+  const cv::Size size(image.cols / step, image.rows / step);
+  cv::resize(image({{}, size * step}), smaller, size, 0, 0, cv::INTER_NEAREST);
   return smaller;
 }
 
@@ -63,12 +64,11 @@ float medianInverseDepth(const cv::Mat& inverseDepth, const cv::Mat& mask) {
 /// Carries what changed in the small image (`box` of it) over to the segmentation.
 void transfer(const cv::Mat& found, const cv::Mat& refined, const cv::Rect& box, int step, core::Instance& instance,
               core::Segmentation& segmentation) {
-  const cv::Rect full(box.x * step, box.y * step, box.width * step, box.height * step);
-  const cv::Rect area = full & cv::Rect({}, segmentation.classIds.size());
+  const cv::Rect area(box.tl() * step, box.size() * step);
   const auto enlarged = [&](const cv::Mat& small) {
     cv::Mat large;
-    cv::resize(small, large, full.size(), 0, 0, cv::INTER_NEAREST);
-    return cv::Mat(large, {{}, area.size()});
+    cv::resize(small, large, area.size(), 0, 0, cv::INTER_NEAREST);
+    return large;
   };
   cv::Mat ids = segmentation.instanceIds(area);
   cv::Mat classes = segmentation.classIds(area);
@@ -103,16 +103,23 @@ void refineInstance(const ContourOptions& options, SmallImages& small, core::Ins
   ids.setTo(instance.id, refined);
 }
 
+bool hasAnyOf(const ContourRefiner::ClassSet& classes, const std::vector<core::Instance>& instances) {
+  return std::any_of(instances.begin(), instances.end(),
+                     [&](const core::Instance& instance) { return classes[instance.classId]; });
+}
+
 }  // namespace
 
 core::Segmentation ContourRefiner::refine(const cv::Mat& color_bgr, const cv::Mat& depth_m,
                                           const core::Segmentation& found) const {
   const cv::Size size = found.classIds.size();
   const bool fits = found.instanceIds.size() == size && depth_m.size() == size && color_bgr.size() == size;
-  if (size.empty() || !fits || found.instances.empty()) return found;
+  if (size.empty() || !fits || !hasAnyOf(classes_, found.instances)) return found;
   core::Segmentation refined = {found.classIds.clone(), found.instanceIds.clone(), found.instances};
   SmallImages small = reduce(color_bgr, depth_m, found.instanceIds);
-  for (core::Instance& instance : refined.instances) refineInstance(options_, small, instance, refined);
+  for (core::Instance& instance : refined.instances) {
+    if (classes_[instance.classId]) refineInstance(options_, small, instance, refined);
+  }
   return refined;
 }
 

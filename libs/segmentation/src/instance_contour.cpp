@@ -61,10 +61,11 @@ InstanceContour::InstanceContour(const InstanceView& view, const ContourOptions&
 
 cv::Mat InstanceContour::refined() {
   const cv::Mat surroundings = widened(view_.mask, kRing_px);
-  onPlane_ = dominantPlane(view_.inverseDepth, surroundings & ~widened(view_.mask, kGap_px) & view_.isFree);
+  const cv::Mat ring = surroundings & ~widened(view_.mask, kGap_px) & view_.isFree;
+  onPlane_ = dominantPlane(view_.inverseDepth, ring);
   surfaces_ = findSurfaces(view_.inverseDepth, onPlane_);
   removeForeignSurfaces();
-  const cv::Mat outside = surroundings & ~mask_ & measured_;
+  const cv::Mat outside = surroundings & ~mask_ & available_ & measured_;
   looksLikeOutside_ = backgroundEvidence(view_.color_bgr, mask_ & measured_, outside) > kMinEvidence;
   grow();
   settleUnmeasured();
@@ -121,9 +122,10 @@ void InstanceContour::grow() {
   const int reach_px = view_.maxGrowth_px;
   if (reach_px < 1) return;
   const cv::Mat within = widened(view_.mask, reach_px);
-  const cv::Mat rim = widened(within, kGap_px) & ~within & measured_;
+  const cv::Mat rim = widened(within, kGap_px) & ~within & view_.isFree & measured_;
+  const cv::Mat near = within & available_;
   const cv::Mat fromBeyond = reachedFrom(rim, reach_px + reach_px / 2, [&](cv::Point from, cv::Point to) {
-    return within.at<std::uint8_t>(to) != 0 && isJoined(from, to);
+    return near.at<std::uint8_t>(to) != 0 && isJoined(from, to);
   });
   const cv::Mat open = available_ & ~foreign_ & ~onPlane_ & ~fromBeyond & (view_.mask | ~looksLikeOutside_);
   mask_ = reachedFrom(mask_, reach_px, [&](cv::Point from, cv::Point to) {

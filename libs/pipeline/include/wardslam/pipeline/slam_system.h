@@ -55,6 +55,7 @@ class SlamSystem {
 
  private:
   SlamOptions options_;
+  std::shared_ptr<const knowledge::KnowledgeGraph> knowledge_;
   std::shared_ptr<segmentation::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
   core::LabelSpace labels_;
   mapping::Zones zones_;

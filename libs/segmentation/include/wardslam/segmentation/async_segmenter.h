@@ -7,21 +7,24 @@
 #include <optional>
 #include <thread>
 
+#include "wardslam/segmentation/contour_refiner.h"
 #include "wardslam/segmentation/segmenter.h"
 
 namespace wardslam::segmentation {
 
 /// Runs a Segmenter in a thread of its own, so that the caller can extract key points meanwhile (P1). At most one
-/// image waits: a newer one takes the place of one that was not begun. For one calling thread.
+/// image waits: a newer one takes the place of one that was not begun. For one calling thread. Contours are refined
+/// there too, where a refiner is given.
 class AsyncSegmenter {
  public:
-  explicit AsyncSegmenter(std::unique_ptr<Segmenter> segmenter);
+  explicit AsyncSegmenter(std::unique_ptr<Segmenter> segmenter, std::optional<ContourRefiner> refiner = std::nullopt);
   ~AsyncSegmenter();  ///< Waits for the image in work, drops the one that waits.
   AsyncSegmenter(const AsyncSegmenter&) = delete;
   AsyncSegmenter& operator=(const AsyncSegmenter&) = delete;
 
   /// Returns at once. Keeps a reference to the pixels: do not change them before its result was taken.
-  void submit(const cv::Mat& color_bgr, double stamp_s);
+  /// `depth_m` is for the refiner (CV_32FC1, 0 = none).
+  void submit(const cv::Mat& color_bgr, double stamp_s, const cv::Mat& depth_m = {});
 
   /// The result of the last submit(), once for each; throws what the segmenter threw. Throws std::logic_error when
   /// nothing was submitted since.
@@ -42,7 +45,10 @@ class AsyncSegmenter {
   using Task = std::packaged_task<Segmenter::Result()>;
   void work();
 
+  [[nodiscard]] Segmenter::Result segment(const cv::Mat& color_bgr, double stamp_s, const cv::Mat& depth_m);
+
   std::unique_ptr<Segmenter> segmenter_;
+  std::optional<ContourRefiner> refiner_;
   std::future<Segmenter::Result> result_;
 
   std::mutex mutex_;  // of the two members that follow

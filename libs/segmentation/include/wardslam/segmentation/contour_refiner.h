@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <opencv2/core.hpp>
 
 #include "wardslam/core/segmentation.h"
@@ -27,16 +28,19 @@ struct ContourOptions {
 /// Works on an image of about 320 columns whatever the size of the frame. Stateless and repeatable.
 class ContourRefiner {
  public:
-  explicit ContourRefiner(const ContourOptions& options) : options_(options) {}
+  using ClassSet = std::bitset<256>;  ///< Bit i stands for class i.
 
-  /// `found` with refined outlines, and boxes to fit; it shares no changed pixels. `color_bgr` is CV_8UC3, `depth_m`
-  /// CV_32FC1 with 0 = none. An instance with little depth, or one that would lose most of its pixels, is left alone;
-  /// where images are empty or differ in size, `found` comes back unchanged.
+  ContourRefiner(const ContourOptions& options, const ClassSet& classes) : options_(options), classes_(classes) {}
+
+  /// `found` with the outlines of the instances of these classes refined, and boxes to fit; it shares no changed
+  /// pixels. `color_bgr` is CV_8UC3, `depth_m` CV_32FC1 with 0 = none. An instance with little depth, or one that would
+  /// lose most of its pixels, is left alone; where images are empty or differ in size, `found` comes back unchanged.
   [[nodiscard]] core::Segmentation refine(const cv::Mat& color_bgr, const cv::Mat& depth_m,
                                           const core::Segmentation& found) const;
 
  private:
   ContourOptions options_;
+  ClassSet classes_;
 };
 
 template <class Self, class Visitor>
