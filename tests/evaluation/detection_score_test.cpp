@@ -18,6 +18,7 @@ TEST(DetectionScore, CountsPixels) {
   EXPECT_DOUBLE_EQ(score.precision(), 2.0 / 3.0);
   EXPECT_DOUBLE_EQ(score.recall(), 0.5);
   EXPECT_DOUBLE_EQ(score.spared(), 0.75);
+  EXPECT_DOUBLE_EQ(score.iou(), 0.4);
 }
 
 TEST(DetectionScore, CountsOneByOneTheSame) {

@@ -33,6 +33,7 @@ DetectionScore& DetectionScore::operator+=(const DetectionScore& other) {
 double DetectionScore::precision() const { return share(truePositives, falsePositives); }
 double DetectionScore::recall() const { return share(truePositives, falseNegatives); }
 double DetectionScore::spared() const { return share(trueNegatives, falsePositives); }
+double DetectionScore::iou() const { return share(truePositives, falsePositives + falseNegatives); }
 
 DetectionScore comparePixels(const cv::Mat& detected, const cv::Mat& truth) {
   CV_Assert(detected.type() == CV_8UC1 && truth.type() == CV_8UC1 && detected.size() == truth.size());

@@ -12,7 +12,7 @@ std::shared_ptr<const knowledge::KnowledgeGraph> readKnowledge(const SlamOptions
   return std::make_shared<knowledge::KnowledgeGraph>(knowledge::KnowledgeGraph::fromFile(file));
 }
 
-/// Contours are refined of what moves by itself: its key points must go, those beside it should stay.
+/// Refines the contours of what moves by itself: its key points must go, those beside it should stay.
 std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentation::SegmentationOptions& options,
                                                                  const knowledge::KnowledgeGraph& knowledge) {
   auto segmenter = segmentation::makeSegmenter(options);

@@ -18,6 +18,7 @@ struct DetectionScore {
   [[nodiscard]] double precision() const;  ///< Share of what was detected that is true; NaN where nothing was.
   [[nodiscard]] double recall() const;     ///< Share of what is true that was detected; NaN where nothing is.
   [[nodiscard]] double spared() const;     ///< Share of what is not true that was not detected; NaN where all is true.
+  [[nodiscard]] double iou() const;        ///< Intersection over union (Jaccard index); NaN where there is neither.
 };
 
 /// Per pixel: both CV_8UC1 of one size, anything but 0 = yes.

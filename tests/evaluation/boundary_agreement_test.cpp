@@ -1,8 +1,6 @@
-#include "wardslam/evaluation/mask_quality.h"
+#include "wardslam/evaluation/boundary_agreement.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace wardslam::evaluation {
 namespace {
@@ -12,34 +10,6 @@ cv::Mat maskOf(const cv::Rect& box) {
   cv::Mat mask(30, 40, CV_8UC1, cv::Scalar(0));
   mask(box).setTo(7);  // anything but 0
   return mask;
-}
-
-TEST(ComparePixels, CountsRightWrongAndMissed) {
-  // 10×10 pixels, and the same moved by 4 columns: 6×10 in common.
-  const auto pixels = comparePixels(maskOf({5, 5, 10, 10}), maskOf({9, 5, 10, 10}));
-  EXPECT_EQ(pixels.right, 60U);
-  EXPECT_EQ(pixels.wrong, 40U);
-  EXPECT_EQ(pixels.missed, 40U);
-  EXPECT_DOUBLE_EQ(pixels.precision(), 0.6);
-  EXPECT_DOUBLE_EQ(pixels.recall(), 0.6);
-  EXPECT_DOUBLE_EQ(pixels.iou(), 60.0 / 140.0);
-}
-
-TEST(ComparePixels, AddsUp) {
-  auto pixels = comparePixels(maskOf({5, 5, 10, 10}), maskOf({5, 5, 10, 5}));
-  pixels += comparePixels(maskOf({5, 5, 10, 10}), maskOf({5, 5, 20, 10}));
-  EXPECT_EQ(pixels.right, 150U);
-  EXPECT_EQ(pixels.wrong, 100U);
-  EXPECT_EQ(pixels.missed, 50U);
-  EXPECT_DOUBLE_EQ(pixels.precision(), 0.6);
-  EXPECT_DOUBLE_EQ(pixels.recall(), 0.75);
-}
-
-TEST(ComparePixels, HasNoRatioWithoutPixels) {
-  const auto pixels = comparePixels(maskOf({}), maskOf({}));
-  EXPECT_TRUE(std::isnan(pixels.precision()));
-  EXPECT_TRUE(std::isnan(pixels.recall()));
-  EXPECT_TRUE(std::isnan(pixels.iou()));
 }
 
 TEST(CompareBoundaries, OfEqualMasksAreOne) {
@@ -54,13 +24,13 @@ TEST(CompareBoundaries, CountTheShareOfOutlineWithinTheTolerance) {
   // (two columns of 10, less the right side of the smaller). Of the larger one those are 10 + 2·9.
   const cv::Mat small = maskOf({5, 5, 10, 10});
   const cv::Mat large = maskOf({5, 5, 25, 10});
-  const auto exact = compareBoundaries(small, large, 0);
+  const auto exact = compareBoundaries(large, small, 0);
   EXPECT_DOUBLE_EQ(exact.recall, 28.0 / 36.0);     // 10 + 2·9: all but the 8 in the middle of the right side
   EXPECT_DOUBLE_EQ(exact.precision, 28.0 / 66.0);  // the same pixels
   EXPECT_DOUBLE_EQ(exact.f, 2 * 28.0 / (36.0 + 66.0));
   // Within 2 px: of the larger one, two columns more above and below; of the smaller, the 4 pixels of its right side
   // that lie 1 or 2 px from above or below.
-  const auto near = compareBoundaries(small, large, 2);
+  const auto near = compareBoundaries(large, small, 2);
   EXPECT_DOUBLE_EQ(near.precision, 32.0 / 66.0);
   EXPECT_DOUBLE_EQ(near.recall, 32.0 / 36.0);
 }
