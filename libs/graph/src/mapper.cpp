@@ -103,7 +103,7 @@ std::optional<Loop> Mapper::recognise(KeyframeId newest) const {
 
 odometry::MapUpdate Mapper::close(const Loop& loop, const std::atomic<bool>* stop) {
   loops_.push_back(loop);
-  joinSubmaps(loop);
+  const auto joined = joinSubmaps(loop);
   const std::uint32_t submap = graph_.keyframes().at(loop.newer).submap;
   optimisePoses(submap);
   odometry::MapUpdate fused;
@@ -113,14 +113,15 @@ odometry::MapUpdate Mapper::close(const Loop& loop, const std::atomic<bool>* sto
   odometry::MapUpdate update = describe(graph_, submap);
   update.fusedPoints = std::move(fused.fusedPoints);
   update.removedPoints = adjusted.removedPoints;
+  update.joined = joined;
   recall(loop, update);
   return update;
 }
 
-void Mapper::joinSubmaps(const Loop& loop) {
+std::optional<odometry::SubmapJoin> Mapper::joinSubmaps(const Loop& loop) {
   const KeyframeNode& older = graph_.keyframes().at(loop.older);
   const KeyframeNode& newer = graph_.keyframes().at(loop.newer);
-  if (older.submap == newer.submap) return;
+  if (older.submap == newer.submap) return std::nullopt;
   const std::uint32_t from = newer.submap;
   const Eigen::Isometry3d T_older_newerMap = older.T_map_cam * loop.T_older_newer * newer.T_map_cam.inverse();
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
@@ -130,6 +131,7 @@ void Mapper::joinSubmaps(const Loop& loop) {
   moveKeyframes(graph_, T_map_cam);
   graph_.joinSubmaps(from, older.submap);
   ++submapsJoined_;
+  return odometry::SubmapJoin{from, older.submap};
 }
 
 void Mapper::optimisePoses(std::uint32_t submap) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "view_rays.h"
+#include "wardslam/core/view_rays.h"
 
 namespace wardslam::sources {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kOverlap = 1.1;
 
 }  // namespace
 
-DepthRegistration::DepthRegistration(const RgbdRig& rig) : rig_(rig), depthRays_(viewRays(rig.depth)) {}
+DepthRegistration::DepthRegistration(const RgbdRig& rig) : rig_(rig), depthRays_(core::viewRays(rig.depth)) {}
 
 cv::Mat DepthRegistration::apply(const cv::Mat& depth_m) const {
   CV_Assert(depth_m.type() == CV_32FC1 && depth_m.size() == depthRays_.size());

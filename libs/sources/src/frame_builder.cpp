@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "observation_check.h"
-#include "view_rays.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/core/view_rays.h"
 #include "wardslam/sources/depth_registration.h"
 
 namespace wardslam::sources {
@@ -36,7 +36,7 @@ cv::Mat rangeInMetres(CObservation3DRangeScan& scan) {
 /// Depth over range per pixel: the cosine of the angle between view ray and optical axis.
 cv::Mat cosineToAxis(const core::CameraModel& camera) {
   cv::Mat cosine(camera.height_px, camera.width_px, CV_32FC1);
-  const cv::Mat rays = viewRays(camera);
+  const cv::Mat rays = core::viewRays(camera);
   cosine.forEach<float>([&](float& value, const int* pixel) {
     const auto& ray = rays.at<cv::Vec2f>(pixel);
     value = 1.0F / std::sqrt(1.0F + ray.dot(ray));

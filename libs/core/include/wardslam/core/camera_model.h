@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <opencv2/core/types.hpp>
+#include <tuple>
 #include <vector>
 
 namespace mrpt::img {
@@ -29,6 +30,13 @@ struct CameraModel {
   static void describe(Self& self, Visitor& visit);
 
   [[nodiscard]] bool hasDistortion() const { return k1 != 0 || k2 != 0 || p1 != 0 || p2 != 0 || k3 != 0; }
+
+  [[nodiscard]] bool operator==(const CameraModel& other) const {
+    const auto values = [](const CameraModel& c) {
+      return std::tuple(c.width_px, c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, c.p1, c.p2, c.k3);
+    };
+    return values(*this) == values(other);
+  }
 
   /// Point in the camera frame (m, z > 0) to the *undistorted* (ideal pinhole) pixel.
   [[nodiscard]] Eigen::Vector2d project(const Eigen::Vector3d& p_cam) const {

@@ -47,7 +47,7 @@ class Mapper {
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
   [[nodiscard]] std::optional<Loop> recognise(KeyframeId newest) const;
   odometry::MapUpdate close(const Loop& loop, const std::atomic<bool>* stop);
-  void joinSubmaps(const Loop& loop);
+  std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
   void optimisePoses(std::uint32_t submap);
   void fuse(const Loop& loop, odometry::MapUpdate& update);
   void recall(const Loop& loop, odometry::MapUpdate& update) const;

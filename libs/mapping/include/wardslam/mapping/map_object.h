@@ -31,7 +31,7 @@ struct MapObject {
   std::array<std::uint8_t, 3> color_rgb{};  ///< The semantic colour of its class.
   double firstSeen_s = 0.0;                 ///< UNIX time.
   double lastSeen_s = 0.0;
-  int views = 0;     ///< Keyframes that saw it.
+  int views = 0;     ///< Frames of the map that saw it.
   std::string zone;  ///< Innermost zone its centroid lies in; empty = none.
   ObjectState state = ObjectState::Static;
 };

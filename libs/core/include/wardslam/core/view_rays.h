@@ -4,9 +4,9 @@
 
 #include "wardslam/core/camera_model.h"
 
-namespace wardslam::sources {
+namespace wardslam::core {
 
 /// For each raw pixel the point (x, y, 1) at depth one on its view ray, lens distortion removed: CV_32FC2 of (x, y).
-[[nodiscard]] cv::Mat viewRays(const core::CameraModel& camera);
+[[nodiscard]] cv::Mat viewRays(const CameraModel& camera);
 
-}  // namespace wardslam::sources
+}  // namespace wardslam::core

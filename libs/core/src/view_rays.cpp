@@ -1,10 +1,10 @@
-#include "view_rays.h"
+#include "wardslam/core/view_rays.h"
 
 #include <vector>
 
-namespace wardslam::sources {
+namespace wardslam::core {
 
-cv::Mat viewRays(const core::CameraModel& camera) {
+cv::Mat viewRays(const CameraModel& camera) {
   cv::Mat rays(camera.height_px, camera.width_px, CV_32FC2);
   std::vector<cv::Point2f> row_px(static_cast<std::size_t>(camera.width_px));
   for (int v = 0; v < rays.rows; ++v) {
@@ -21,4 +21,4 @@ cv::Mat viewRays(const core::CameraModel& camera) {
   return rays;
 }
 
-}  // namespace wardslam::sources
+}  // namespace wardslam::core

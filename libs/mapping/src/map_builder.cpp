@@ -1,0 +1,333 @@
+#include "wardslam/mapping/map_builder.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <utility>
+
+#include "detections.h"
+#include "object_database.h"
+#include "object_table.h"
+#include "semantic_cloud.h"
+#include "usable_pixels.h"
+#include "wardslam/core/view_rays.h"
+
+namespace wardslam::mapping {
+namespace {
+
+/// A class not seen says less than a class seen: networks miss things more often than they see what is not there.
+constexpr float kUnclassifiedWeight = 0.25F;
+
+/// Points are taken for seen through only when everything so near (px) to them is farther away.
+constexpr int kSeenThroughMargin_px = 2;
+
+/// Two objects of one class are one when their boxes share so much of the smaller, unless images tell them apart.
+constexpr double kSameBox = 0.5;
+
+/// A thing that moved is found again by its class and by its longest side, which agree within this factor.
+constexpr double kSameSize = 2.0;
+
+cv::Mat nearestAround(const cv::Mat& depth_m) {
+  const int side = 2 * kSeenThroughMargin_px + 1;
+  cv::Mat nearest;  // holes stay holes, and spread: what is not measured is not seen through
+  cv::erode(depth_m, nearest, cv::getStructuringElement(cv::MORPH_RECT, {side, side}));
+  return nearest;
+}
+
+double sharedOfSmaller(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b, double margin_m) {
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(margin_m);  // pictures and screens are flat
+  const Eigen::AlignedBox3d first(a.min() - margin, a.max() + margin);
+  const Eigen::AlignedBox3d second(b.min() - margin, b.max() + margin);
+  const Eigen::AlignedBox3d shared = first.intersection(second);
+  return shared.isEmpty() ? 0.0 : shared.volume() / std::min(first.volume(), second.volume());
+}
+
+/// What submaps have each.
+struct Part {
+  explicit Part(const MappingOptions& options) : cloud(options.cloud), objects(options.objects) {}
+  SemanticCloud cloud;
+  ObjectDatabase objects;
+};
+
+struct PlacedKeyframe {
+  std::uint32_t submap = 0;
+  double stamp_s = 0.0;
+  Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace
+
+class MapBuilder::Impl {
+ public:
+  Impl(const MappingOptions& options, core::LabelSpace labels, const knowledge::ClassSet& moving)
+      : options_(options), labels_(std::move(labels)), moving_(moving), table_(options.objects) {}
+
+  void addKeyframe(const odometry::Keyframe& keyframe);
+  void apply(const odometry::MapUpdate& update);
+  void add(const View& view);
+  SemanticMap map();
+  MapChanges takeChanges();
+
+ private:
+  Part& part(std::uint32_t submap) { return parts_.try_emplace(submap, options_).first->second; }
+  void join(std::uint32_t from, std::uint32_t into);
+  void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
+  const cv::Mat& raysOf(const core::CameraModel& camera);
+  std::vector<ObjectId> recogniseObjects(Part& part, const View& view, const std::vector<Sample>& samples,
+                                         const std::vector<std::optional<PointRef>>& points,
+                                         const std::vector<Detection>& detections,
+                                         const std::map<ObjectId, std::size_t>& inSight);
+  void takeMerges(Part& part);
+  void removeGone(Part& part, const std::vector<ObjectId>& gone);
+  void refresh();
+  void mergeSameBoxes();
+  void reuniteMoved();
+  void describeTouched();
+  [[nodiscard]] SemanticCloudTile publish(const Tile& tile) const;
+
+  MappingOptions options_;
+  core::LabelSpace labels_;
+  knowledge::ClassSet moving_;
+  std::map<KeyframeId, PlacedKeyframe> keyframes_;
+  std::map<std::uint32_t, std::uint32_t> joinedInto_;
+  std::map<std::uint32_t, Part> parts_;
+  std::optional<std::uint32_t> first_;  ///< The submap whose part is the map.
+  ObjectId nextId_ = 1;
+  ObjectTable table_;
+  std::set<ObjectId> touched_;
+  MapChanges changes_;
+  std::optional<core::CameraModel> raysCamera_;
+  cv::Mat rays_;
+};
+
+void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
+  const auto joined = joinedInto_.find(keyframe.submap);
+  const std::uint32_t submap = joined == joinedInto_.end() ? keyframe.submap : joined->second;
+  if (!first_) first_ = submap;
+  keyframes_[keyframe.id] = {submap, keyframe.stamp_s, keyframe.T_map_cam};
+  part(submap).cloud.addTile(keyframe.id, keyframe.T_map_cam);
+  changes_.keyframes.insert(keyframe.id);
+}
+
+void MapBuilder::Impl::apply(const odometry::MapUpdate& update) {
+  follow(update.T_map_cam);
+  if (update.joined) join(update.joined->from, update.joined->into);
+}
+
+void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
+  for (const auto& [id, pose] : T_map_cam) {
+    const auto keyframe = keyframes_.find(id);
+    if (keyframe == keyframes_.end()) continue;
+    keyframe->second.T_map_cam = pose;
+    changes_.keyframes.insert(id);
+  }
+  for (auto& [submap, part] : parts_) {
+    part.cloud.movePoses(T_map_cam);
+    for (const auto& [id, count] : part.cloud.pointCounts()) touched_.insert(id);
+  }
+}
+
+void MapBuilder::Impl::join(std::uint32_t from, std::uint32_t into) {
+  for (auto& [id, keyframe] : keyframes_) {
+    if (keyframe.submap != from) continue;
+    keyframe.submap = into;
+    changes_.keyframes.insert(id);
+  }
+  for (auto& [submap, joined] : joinedInto_) {
+    if (joined == from) joined = into;
+  }
+  joinedInto_[from] = into;
+  const auto joining = parts_.find(from);
+  if (joining == parts_.end()) return;
+  for (const auto& [id, object] : joining->second.objects.objects()) touched_.insert(id);
+  part(into).cloud.absorb(std::move(joining->second.cloud));
+  part(into).objects.absorb(std::move(joining->second.objects));
+  parts_.erase(joining);
+}
+
+const cv::Mat& MapBuilder::Impl::raysOf(const core::CameraModel& camera) {
+  if (!raysCamera_ || !(*raysCamera_ == camera)) {
+    raysCamera_ = camera;
+    rays_ = core::viewRays(camera);
+  }
+  return rays_;
+}
+
+void MapBuilder::Impl::add(const View& view) {
+  const auto keyframe = keyframes_.find(view.keyframe);
+  if (keyframe == keyframes_.end()) return;
+  Part& part = this->part(keyframe->second.submap);
+  const Eigen::Isometry3d T_map_cam = keyframe->second.T_map_cam * view.T_keyframe_cam;
+  const auto cell_m = static_cast<float>(options_.cloud.voxel_m);
+
+  const auto look = part.cloud.look(view.camera, T_map_cam, view.depth_m, nearestAround(view.depth_m));
+  removeGone(part, part.objects.erase(look.erased, part.cloud.pointCounts()));
+  const cv::Mat usable = usablePixels(view, moving_, options_.cloud);
+  const auto samples =
+      sampleView(view, T_map_cam, raysOf(view.camera), usable, cell_m, options_.cloud.pixel_step);
+  const auto points = part.cloud.recognise(samples, T_map_cam.translation());
+  const auto detections = detect(view.segmentation, samples, moving_, options_.objects, cell_m);
+  const auto objects = recogniseObjects(part, view, samples, points, detections, look.inSight);
+
+  std::vector<SemanticCloud::LabelVote> votes(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!view.segmentation.empty() && samples[i].instance == 0) votes[i].weight = kUnclassifiedWeight;
+  }
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    for (const std::size_t i : detections[d].samples) votes[i] = {objects[d], detections[d].confidence};
+  }
+  part.cloud.fuse(samples, points, votes, view.keyframe);
+  takeMerges(part);
+  for (const auto& [id, count] : look.inSight) touched_.insert(id);
+  for (const auto& [id, count] : look.erased) touched_.insert(id);
+  touched_.insert(objects.begin(), objects.end());
+}
+
+std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View& view,
+                                                         const std::vector<Sample>& samples,
+                                                         const std::vector<std::optional<PointRef>>& points,
+                                                         const std::vector<Detection>& detections,
+                                                         const std::map<ObjectId, std::size_t>& inSight) {
+  (void)samples;
+  const auto objectAt = [&](std::size_t i) { return points[i] ? part.cloud.at(*points[i]).object : 0; };
+  std::vector<Evidence> evidence;
+  for (const Detection& detection : detections) {
+    Evidence& e = evidence.emplace_back();
+    e.classId = detection.classId;
+    e.confidence = detection.confidence;
+    e.size = detection.samples.size();
+    for (const std::size_t i : detection.samples) {
+      if (const ObjectId id = objectAt(i)) ++e.onObjects[id];
+    }
+    e.underMask = e.onObjects;
+    for (const std::size_t i : detection.doubtful) {
+      if (const ObjectId id = objectAt(i)) ++e.underMask[id];
+    }
+  }
+  return part.objects.observe(evidence, inSight, view.stamp_s, nextId_);
+}
+
+void MapBuilder::Impl::takeMerges(Part& part) {
+  for (const auto& [from, into] : part.objects.takeMerges()) {
+    part.cloud.renameObject(from, into);
+    touched_.insert({from, into});
+  }
+}
+
+void MapBuilder::Impl::removeGone(Part& part, const std::vector<ObjectId>& gone) {
+  for (const ObjectId id : gone) {
+    part.cloud.eraseObject(id);
+    touched_.insert(id);
+  }
+}
+
+void MapBuilder::Impl::refresh() {
+  if (!first_) return;
+  describeTouched();
+  mergeSameBoxes();
+  reuniteMoved();
+  describeTouched();
+}
+
+void MapBuilder::Impl::describeTouched() {
+  Part& main = part(*first_);
+  takeMerges(main);
+  const auto before = table_.rows();
+  const auto changed = table_.update(std::exchange(touched_, {}), main.objects, main.cloud);
+  for (const ObjectId id : changed) {
+    const auto was = before.find(id);
+    const auto is = table_.rows().find(id);
+    const bool wasThere = was != before.end();
+    const bool isThere = is != table_.rows().end();
+    if (wasThere != isThere || (isThere && was->second.classId != is->second.classId)) main.cloud.touchObject(id);
+  }
+  changes_.objects.insert(changed.begin(), changed.end());
+}
+
+void MapBuilder::Impl::mergeSameBoxes() {
+  Part& main = part(*first_);
+  std::vector<std::pair<ObjectId, ObjectId>> same;
+  for (auto a = table_.rows().begin(); a != table_.rows().end(); ++a) {
+    for (auto b = std::next(a); b != table_.rows().end(); ++b) {
+      const auto& [idA, rowA] = *a;
+      const auto& [idB, rowB] = *b;
+      if (rowA.classId != rowB.classId || rowA.state == ObjectState::Gone || rowB.state == ObjectState::Gone) continue;
+      if (main.objects.areApart(idA, idB)) continue;
+      if (sharedOfSmaller(rowA.box_m, rowB.box_m, options_.cloud.voxel_m) > kSameBox) same.emplace_back(idB, idA);
+    }
+  }
+  for (const auto& [from, into] : same) main.objects.merge(from, into);
+}
+
+void MapBuilder::Impl::reuniteMoved() {
+  Part& main = part(*first_);
+  const auto rows = table_.rows();
+  for (const auto& [goneId, gone] : rows) {
+    if (gone.state != ObjectState::Gone) continue;
+    for (const auto& [foundId, found] : rows) {
+      if (found.state == ObjectState::Gone || found.classId != gone.classId) continue;
+      if (found.firstSeen_s < gone.lastSeen_s) continue;
+      const double ratio = found.box_m.sizes().maxCoeff() / std::max(gone.box_m.sizes().maxCoeff(), 1e-3);
+      if (ratio > kSameSize || ratio < 1 / kSameSize) continue;
+      if (main.objects.objects().count(foundId) == 0) continue;
+      main.objects.reunite(goneId, foundId);
+      break;
+    }
+  }
+}
+
+SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
+  const ObjectDatabase& objects = parts_.at(*first_).objects;
+  SemanticCloudTile published;
+  for (const CloudPoint& point : tile.points) {
+    if (point.sightings < options_.cloud.min_sightings) continue;
+    if (point.sigma_m > static_cast<float>(options_.cloud.max_sigma_m)) continue;
+    SemanticPoint& p = published.points.emplace_back();
+    p.p_cam_m = point.p_cam_m;
+    for (std::size_t i = 0; i < 3; ++i) {
+      p.color_rgb[i] = cv::saturate_cast<std::uint8_t>(point.color_rgb[static_cast<Eigen::Index>(i)]);
+    }
+    p.sightings = point.sightings;
+    const auto record = objects.objects().find(point.object);
+    if (record == objects.objects().end()) continue;
+    p.classId = record->second.classId();
+    if (table_.rows().count(point.object) > 0) p.object = point.object;
+  }
+  return published;
+}
+
+SemanticMap MapBuilder::Impl::map() {
+  refresh();
+  SemanticMap map;
+  map.labels = labels_;
+  if (!first_) return map;
+  for (const auto& [id, keyframe] : keyframes_) {
+    if (keyframe.submap == *first_) map.keyframes[id] = {keyframe.stamp_s, keyframe.T_map_cam, {}};
+  }
+  for (const Tile& tile : part(*first_).cloud.tiles()) {
+    auto published = publish(tile);
+    if (!published.points.empty()) map.cloud[tile.keyframe] = std::move(published);
+  }
+  map.objects = table_.rows();
+  return map;
+}
+
+MapChanges MapBuilder::Impl::takeChanges() {
+  refresh();
+  if (first_) changes_.tiles = part(*first_).cloud.takeChanges();
+  return std::exchange(changes_, {});
+}
+
+MapBuilder::MapBuilder(const MappingOptions& options, core::LabelSpace labels, const knowledge::ClassSet& moving)
+    : impl_(std::make_unique<Impl>(options, std::move(labels), moving)) {}
+MapBuilder::~MapBuilder() = default;
+MapBuilder::MapBuilder(MapBuilder&&) noexcept = default;
+MapBuilder& MapBuilder::operator=(MapBuilder&&) noexcept = default;
+
+void MapBuilder::addKeyframe(const odometry::Keyframe& keyframe) { impl_->addKeyframe(keyframe); }
+void MapBuilder::apply(const odometry::MapUpdate& update) { impl_->apply(update); }
+void MapBuilder::add(const View& view) { impl_->add(view); }
+SemanticMap MapBuilder::map() { return impl_->map(); }
+MapChanges MapBuilder::takeChanges() { return impl_->takeChanges(); }
+
+}  // namespace wardslam::mapping

@@ -1,0 +1,174 @@
+#include "object_database.h"
+
+#include <algorithm>
+#include <set>
+
+namespace wardslam::mapping {
+namespace {
+
+constexpr int kConvincing = 2;            // views that must show two objects as one
+constexpr double kCovered = 0.5;          // of an object's points in sight, for a mask to cover it
+constexpr std::size_t kFewPoints = 8;     // too few points in sight to judge by
+constexpr double kGoneRatio = 2.0;        // an object is gone when it lost so many times what is left
+
+std::size_t countOf(const std::map<ObjectId, std::size_t>& counts, ObjectId id) {
+  const auto entry = counts.find(id);
+  return entry == counts.end() ? 0 : entry->second;
+}
+
+std::pair<ObjectId, ObjectId> ordered(ObjectId a, ObjectId b) { return {std::min(a, b), std::max(a, b)}; }
+
+double ratio(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+}  // namespace
+
+core::ClassId ObjectRecord::classId() const {
+  const auto best =
+      std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return best == votes.end() ? core::ClassId{0} : best->first;
+}
+
+double ObjectRecord::probability() const {
+  double all = 0.0;
+  for (const auto& [c, confidence] : votes) all += confidence;
+  if (views == 0 || all <= 0) return 0.0;
+  const double share = votes.at(classId()) / all;
+  const double confidence = all / views;
+  const double found = (views + 1.0) / (std::max(expected, views) + 2.0);  // Laplace's rule of succession
+  return std::min(1.0, share * confidence * found);
+}
+
+std::vector<ObjectDatabase::Match> ObjectDatabase::candidates(const std::vector<Evidence>& detections,
+                                                              const std::map<ObjectId, std::size_t>& inSight) const {
+  std::vector<Match> matches;
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    const Evidence& detection = detections[i];
+    for (const auto& [id, shared] : detection.onObjects) {
+      const std::size_t visible = std::max(countOf(inSight, id), shared);
+      const bool isSameClass = objects_.at(id).classId() == detection.classId;
+      const double overlap =
+          ratio(shared, isSameClass ? std::min(detection.size, visible) : std::max(detection.size, visible));
+      if (overlap < (isSameClass ? options_.min_overlap : options_.min_overlap_across_classes)) continue;
+      matches.push_back({overlap * static_cast<double>(shared), i, id});
+    }
+  }
+  std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.overlap > b.overlap; });
+  return matches;
+}
+
+std::vector<ObjectId> ObjectDatabase::observe(const std::vector<Evidence>& detections,
+                                              const std::map<ObjectId, std::size_t>& inSight, double stamp_s,
+                                              ObjectId& nextId) {
+  std::vector<ObjectId> assigned(detections.size(), 0);
+  for (const Match& match : candidates(detections, inSight)) {
+    if (assigned[match.detection] == 0) assigned[match.detection] = match.object;
+  }
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    if (assigned[i] == 0) {
+      assigned[i] = nextId++;
+      objects_[assigned[i]].firstSeen_s = stamp_s;
+    }
+    objects_.at(assigned[i]).votes[detections[i].classId] += detections[i].confidence;
+  }
+  const std::set<ObjectId> seen(assigned.begin(), assigned.end());
+  for (const ObjectId id : seen) {
+    ObjectRecord& object = objects_.at(id);
+    ++object.views;
+    object.lastSeen_s = stamp_s;
+    object.erased = 0;
+    if (object.state == ObjectState::Gone) object.state = ObjectState::Static;
+  }
+  for (const auto& [id, points] : inSight) {
+    const auto object = objects_.find(id);
+    if (object != objects_.end() && (seen.count(id) > 0 || points >= kFewPoints)) ++object->second.expected;
+  }
+  relate(detections, assigned, inSight);
+  mergeRelated();
+  return assigned;
+}
+
+void ObjectDatabase::relate(const std::vector<Evidence>& detections, const std::vector<ObjectId>& assigned,
+                            const std::map<ObjectId, std::size_t>& inSight) {
+  const std::set<ObjectId> seen(assigned.begin(), assigned.end());
+  for (auto a = seen.begin(); a != seen.end(); ++a) {
+    for (auto b = std::next(a); b != seen.end(); ++b) {
+      if (objects_.at(*a).classId() == objects_.at(*b).classId()) ++relations_[{*a, *b}].apart;
+    }
+  }
+  for (const Evidence& detection : detections) {
+    std::vector<ObjectId> covered;
+    for (const auto& [id, shared] : detection.underMask) {
+      const std::size_t visible = countOf(inSight, id);
+      if (objects_.at(id).classId() != detection.classId || visible < kFewPoints) continue;
+      if (ratio(shared, visible) >= kCovered) covered.push_back(id);
+    }
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+      for (std::size_t j = i + 1; j < covered.size(); ++j) ++relations_[ordered(covered[i], covered[j])].together;
+    }
+  }
+}
+
+void ObjectDatabase::mergeRelated() {
+  std::vector<std::pair<ObjectId, ObjectId>> same;
+  for (const auto& [pair, relation] : relations_) {
+    if (relation.together >= kConvincing && relation.together > relation.apart) same.push_back(pair);
+  }
+  for (const auto& [into, from] : same) merge(from, into);
+}
+
+bool ObjectDatabase::areApart(ObjectId a, ObjectId b) const {
+  const auto relation = relations_.find(ordered(a, b));
+  return relation != relations_.end() && relation->second.apart > relation->second.together;
+}
+
+void ObjectDatabase::merge(ObjectId from, ObjectId into) {
+  const auto gone = objects_.find(from);
+  const auto kept = objects_.find(into);
+  if (gone == objects_.end() || kept == objects_.end() || from == into) return;
+  ObjectRecord& object = kept->second;
+  for (const auto& [c, confidence] : gone->second.votes) object.votes[c] += confidence;
+  object.views += gone->second.views;
+  object.expected += gone->second.expected;
+  object.firstSeen_s = std::min(object.firstSeen_s, gone->second.firstSeen_s);
+  object.lastSeen_s = std::max(object.lastSeen_s, gone->second.lastSeen_s);
+  objects_.erase(gone);
+  std::map<std::pair<ObjectId, ObjectId>, Relation> relations;
+  for (const auto& [pair, relation] : relations_) {
+    const ObjectId a = pair.first == from ? into : pair.first;
+    const ObjectId b = pair.second == from ? into : pair.second;
+    if (a == b) continue;
+    relations[ordered(a, b)].together += relation.together;
+    relations[ordered(a, b)].apart += relation.apart;
+  }
+  relations_ = std::move(relations);
+  merges_.emplace_back(from, into);
+}
+
+std::vector<ObjectId> ObjectDatabase::erase(const std::map<ObjectId, std::size_t>& points,
+                                            const std::map<ObjectId, std::size_t>& left) {
+  std::vector<ObjectId> gone;
+  for (const auto& [id, count] : points) {
+    const auto object = objects_.find(id);
+    if (object == objects_.end() || object->second.state == ObjectState::Gone) continue;
+    object->second.erased += count;
+    if (static_cast<double>(object->second.erased) < kGoneRatio * static_cast<double>(countOf(left, id))) continue;
+    object->second.state = ObjectState::Gone;
+    gone.push_back(id);
+  }
+  return gone;
+}
+
+void ObjectDatabase::reunite(ObjectId gone, ObjectId found) {
+  merge(found, gone);
+  objects_.at(gone).state = ObjectState::Moved;
+  objects_.at(gone).erased = 0;
+}
+
+void ObjectDatabase::absorb(ObjectDatabase&& other) {
+  objects_.merge(other.objects_);
+  relations_.merge(other.relations_);
+}
+
+}  // namespace wardslam::mapping

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "wardslam/core/segmentation.h"
+#include "wardslam/mapping/map_object.h"
+#include "wardslam/mapping/mapping_options.h"
+
+namespace wardslam::mapping {
+
+/// A detection as the database sees it: where its samples fall on what the cloud has already.
+struct Evidence {
+  core::ClassId classId = 0;
+  float confidence = 1.0F;
+  std::size_t size = 0;                         ///< Samples of the thing.
+  std::map<ObjectId, std::size_t> onObjects;    ///< Of these, how many fall on points of each object.
+  std::map<ObjectId, std::size_t> underMask;    ///< The same of all samples under its mask, the doubtful too.
+};
+
+/// What is known of an object besides its points, which the cloud has.
+struct ObjectRecord {
+  std::map<core::ClassId, double> votes;  ///< Sum of confidences, by class.
+  int views = 0;                          ///< That saw it,
+  int expected = 0;                       ///< and that had it in plain sight.
+  double firstSeen_s = 0.0;
+  double lastSeen_s = 0.0;
+  std::size_t erased = 0;  ///< Points taken away since it was seen last.
+  ObjectState state = ObjectState::Static;
+
+  [[nodiscard]] core::ClassId classId() const;
+  [[nodiscard]] double probability() const;
+};
+
+/// Which detections of many views are one thing (P9). Instance ids are of no use for that: they need not be the same
+/// in two images. Points of the cloud are: a detection shows the object on whose points it falls.
+class ObjectDatabase {
+ public:
+  explicit ObjectDatabase(const ObjectOptions& options) : options_(options) {}
+
+  /// The object each detection of one view shows; new ones get an id from `nextId`. `inSight`: how many points of each
+  /// object the view sees.
+  std::vector<ObjectId> observe(const std::vector<Evidence>& detections, const std::map<ObjectId, std::size_t>& inSight,
+                                double stamp_s, ObjectId& nextId);
+
+  /// Points of these objects were seen through and taken away. `left`: what remains of each. Returns the objects that
+  /// are gone by that.
+  std::vector<ObjectId> erase(const std::map<ObjectId, std::size_t>& points, const std::map<ObjectId, std::size_t>& left);
+
+  /// A thing that was gone and the same thing, seen since at another place, are one that moved.
+  void reunite(ObjectId gone, ObjectId found);
+
+  /// Objects that turned out to be others, since the last call: {from, into}.
+  [[nodiscard]] std::vector<std::pair<ObjectId, ObjectId>> takeMerges() { return std::exchange(merges_, {}); }
+
+  /// The two are one thing.
+  void merge(ObjectId from, ObjectId into);
+
+  [[nodiscard]] const std::map<ObjectId, ObjectRecord>& objects() const { return objects_; }
+
+  /// Whether images showed the two as two things more often than as one.
+  [[nodiscard]] bool areApart(ObjectId a, ObjectId b) const;
+
+  void absorb(ObjectDatabase&& other);
+
+ private:
+  struct Relation {
+    int together = 0;  ///< Views in which one detection covered both,
+    int apart = 0;     ///< and in which each had its own.
+  };
+  struct Match {
+    double overlap = 0.0;
+    std::size_t detection = 0;
+    ObjectId object = 0;
+  };
+
+  [[nodiscard]] std::vector<Match> candidates(const std::vector<Evidence>& detections,
+                                              const std::map<ObjectId, std::size_t>& inSight) const;
+  void relate(const std::vector<Evidence>& detections, const std::vector<ObjectId>& assigned,
+              const std::map<ObjectId, std::size_t>& inSight);
+  void mergeRelated();
+
+  ObjectOptions options_;
+  std::map<ObjectId, ObjectRecord> objects_;
+  std::map<std::pair<ObjectId, ObjectId>, Relation> relations_;  ///< The lesser id first.
+  std::vector<std::pair<ObjectId, ObjectId>> merges_;
+};
+
+}  // namespace wardslam::mapping

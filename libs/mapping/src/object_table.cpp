@@ -1,0 +1,59 @@
+#include "object_table.h"
+
+#include "object_shape.h"
+#include "wardslam/mapping/semantic_color.h"
+
+namespace wardslam::mapping {
+namespace {
+
+/// Gaps in the surface of one thing, seen from few sides.
+constexpr double kPartGap_m = 0.15;
+
+void describe(const ObjectRecord& record, MapObject& row) {
+  row.classId = record.classId();
+  row.probability = record.probability();
+  row.color_rgb = semanticColor_rgb(row.classId);
+  row.firstSeen_s = record.firstSeen_s;
+  row.lastSeen_s = record.lastSeen_s;
+  row.views = record.views;
+  row.state = record.state;
+}
+
+void place(const std::vector<Eigen::Vector3f>& points_m, MapObject& row) {
+  const ObjectShape shape = shapeOf(points_m, kPartGap_m);
+  row.centroid_m = shape.centroid_m;
+  row.box_m = shape.box_m;
+  row.orientedBox = shape.orientedBox;
+}
+
+}  // namespace
+
+std::set<ObjectId> ObjectTable::update(const std::set<ObjectId>& touched, const ObjectDatabase& database,
+                                       const SemanticCloud& cloud) {
+  std::set<ObjectId> changed;
+  const auto points = cloud.pointsOf(touched);
+  for (const ObjectId id : touched) {
+    const auto record = database.objects().find(id);
+    const bool isKnown = rows_.count(id) > 0;
+    const bool isGone = record != database.objects().end() && record->second.state == ObjectState::Gone;
+    const bool isThere = record != database.objects().end() && isEstablished(record->second) &&
+                         (isGone ? isKnown : points.at(id).size() >= static_cast<std::size_t>(options_.min_points));
+    if (isThere) {
+      MapObject& row = rows_[id];
+      row.id = id;
+      describe(record->second, row);
+      if (!isGone) place(points.at(id), row);  // what is gone keeps the place it had
+    } else {
+      rows_.erase(id);
+    }
+    if (isKnown || isThere) changed.insert(id);
+  }
+  return changed;
+}
+
+bool ObjectTable::isEstablished(const ObjectRecord& record) const {
+  return record.views >= options_.min_views &&
+         record.views >= options_.min_seen_fraction * std::max(record.expected, record.views);
+}
+
+}  // namespace wardslam::mapping

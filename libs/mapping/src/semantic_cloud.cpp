@@ -1,0 +1,308 @@
+#include "semantic_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "usable_pixels.h"
+
+namespace wardslam::mapping {
+namespace {
+
+constexpr std::int8_t kNewEvidence = 1;
+constexpr std::int8_t kMostEvidence = 4;   // what stood for long must still be seen to be gone within a second or two
+constexpr std::int8_t kLeastEvidence = -1;  // below, the point is gone: it was seen through, and more than once
+
+constexpr float kNoiseReach = 2.0F;           // two sightings of one point differ by no more standard deviations
+constexpr float kMostPrecision_m2 = 4.0e6F;   // (0.5 mm)^-2: systematic errors do not average out
+
+}  // namespace
+
+void SemanticCloud::addTile(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam) {
+  const auto [entry, isNew] = tileOf_.try_emplace(keyframe, static_cast<std::uint32_t>(tiles_.size()));
+  if (!isNew) return;
+  const Eigen::Isometry3f T = T_map_cam.cast<float>();
+  tiles_.push_back({keyframe, T, T, 0.0F, {}});
+}
+
+void SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
+  std::vector<std::uint32_t> moved;
+  for (const auto& [keyframe, pose] : T_map_cam) {
+    const auto entry = tileOf_.find(keyframe);
+    if (entry == tileOf_.end()) continue;
+    Tile& tile = tiles_[entry->second];
+    tile.T_map_cam = pose.cast<float>();
+    const Eigen::Isometry3f change = tile.T_map_camIndexed.inverse() * tile.T_map_cam;
+    const float shift_m =
+        change.translation().norm() + Eigen::AngleAxisf(change.linear()).angle() * tile.radius_m;
+    if (shift_m > static_cast<float>(options_.voxel_m) / 2) moved.push_back(entry->second);
+  }
+  reindex(moved);
+}
+
+const Tile* SemanticCloud::find(KeyframeId keyframe) const {
+  const auto entry = tileOf_.find(keyframe);
+  return entry == tileOf_.end() ? nullptr : &tiles_[entry->second];
+}
+
+std::optional<PointRef> SemanticCloud::at(std::uint64_t cell) const {
+  const auto entry = index_.find(cell);
+  return entry == index_.end() ? std::nullopt : std::optional(entry->second);
+}
+
+Eigen::Vector3f SemanticCloud::mapPosition(const PointRef& ref) const {
+  return tiles_[ref.tile].T_map_cam * at(ref).p_cam_m;
+}
+
+std::vector<std::optional<PointRef>> SemanticCloud::recognise(const std::vector<Sample>& samples,
+                                                              const Eigen::Vector3d& camera_map_m) const {
+  const auto cell_m = static_cast<float>(options_.voxel_m);
+  std::vector<std::optional<PointRef>> points;
+  points.reserve(samples.size());
+  for (const Sample& sample : samples) {
+    const Eigen::Vector3f ray = (sample.p_map_m - camera_map_m.cast<float>()).normalized();
+    auto found = at(cellOf(sample.p_map_m, cell_m));
+    const float reach_m = kNoiseReach * sample.sigma_m + cell_m / 2;
+    for (float d_m = cell_m; !found && d_m < reach_m + cell_m; d_m += cell_m) {
+      for (const float along_m : {std::min(d_m, reach_m), -std::min(d_m, reach_m)}) {
+        if (!found) found = at(cellOf(sample.p_map_m + along_m * ray, cell_m));
+      }
+    }
+    points.push_back(found);
+  }
+  return points;
+}
+
+void SemanticCloud::fuse(const std::vector<Sample>& samples, const std::vector<std::optional<PointRef>>& points,
+                         const std::vector<LabelVote>& votes, KeyframeId keyframe) {
+  const std::uint32_t tile = tileOf_.at(keyframe);
+  ++fusions_;
+  std::vector<PointRef> updated;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (points[i]) {
+      update(*points[i], samples[i], votes[i]);
+      updated.push_back(*points[i]);
+    } else if (const auto made = at(cellOf(samples[i].p_map_m, static_cast<float>(options_.voxel_m)))) {
+      update(*made, samples[i], votes[i]);  // another instance's sample in this cell came first
+    } else {
+      create(tile, samples[i], votes[i]);
+    }
+  }
+  relocate(std::move(updated));
+}
+
+void SemanticCloud::update(const PointRef& ref, const Sample& sample, const LabelVote& vote) {
+  Tile& tile = tiles_[ref.tile];
+  CloudPoint& point = tile.points[ref.point];
+  const float weight = 1.0F / (sample.sigma_m * sample.sigma_m);
+  const float share = weight / (point.precision_m2 + weight);
+  point.p_cam_m += share * (tile.T_map_cam.inverse() * sample.p_map_m - point.p_cam_m);
+  point.color_rgb += share * (sample.color_rgb - point.color_rgb);
+  point.precision_m2 = std::min(point.precision_m2 + weight, kMostPrecision_m2);
+  point.sigma_m = std::min(point.sigma_m, sample.sigma_m);
+  point.votes.add(vote.object, vote.weight);
+  setObject(point, point.votes.winner());
+  changed_.insert(tile.keyframe);
+  if (point.lastFusion == fusions_) return;  // another sample of the same view
+  point.lastFusion = fusions_;
+  if (point.sightings < std::numeric_limits<std::uint16_t>::max()) ++point.sightings;
+  point.evidence = std::min<std::int8_t>(kMostEvidence, static_cast<std::int8_t>(point.evidence + 1));
+}
+
+void SemanticCloud::create(std::uint32_t tileIndex, const Sample& sample, const LabelVote& vote) {
+  Tile& tile = tiles_[tileIndex];
+  CloudPoint point;
+  point.p_cam_m = tile.T_map_cam.inverse() * sample.p_map_m;
+  point.color_rgb = sample.color_rgb;
+  point.precision_m2 = 1.0F / (sample.sigma_m * sample.sigma_m);
+  point.sigma_m = sample.sigma_m;
+  point.votes.add(vote.object, vote.weight);
+  setObject(point, point.votes.winner());
+  point.sightings = 1;
+  point.lastFusion = fusions_;
+  point.evidence = kNewEvidence;
+  point.cell = cellOf(sample.p_map_m, static_cast<float>(options_.voxel_m));
+  index_[point.cell] = {tileIndex, static_cast<std::uint32_t>(tile.points.size())};
+  tile.radius_m = std::max(tile.radius_m, point.p_cam_m.norm());
+  tile.points.push_back(point);
+  changed_.insert(tile.keyframe);
+}
+
+/// Points whose position changed go to the cell they are in now; where one is already there they become one.
+void SemanticCloud::relocate(std::vector<PointRef> moved) {
+  std::vector<PointRef> gone;
+  for (const PointRef& ref : moved) {
+    CloudPoint& mover = point(ref);
+    if (mover.sightings == 0) continue;  // was merged into another just now
+    const std::uint64_t cell = cellOf(mapPosition(ref), static_cast<float>(options_.voxel_m));
+    if (cell == mover.cell) continue;
+    index_.erase(mover.cell);
+    mover.cell = cell;
+    const auto [entry, isFree] = index_.try_emplace(cell, ref);
+    if (isFree) continue;
+    merge(ref, entry->second);
+    gone.push_back(ref);
+  }
+  erase(std::move(gone));
+}
+
+void SemanticCloud::merge(const PointRef& from, const PointRef& into) {
+  CloudPoint& gone = point(from);
+  CloudPoint& kept = point(into);
+  const float share = gone.precision_m2 / (gone.precision_m2 + kept.precision_m2);
+  const Eigen::Vector3f p_cam_m = tiles_[into.tile].T_map_cam.inverse() * mapPosition(from);
+  kept.p_cam_m += share * (p_cam_m - kept.p_cam_m);
+  kept.color_rgb += share * (gone.color_rgb - kept.color_rgb);
+  kept.precision_m2 = std::min(kept.precision_m2 + gone.precision_m2, kMostPrecision_m2);
+  kept.sigma_m = std::min(kept.sigma_m, gone.sigma_m);
+  kept.votes.add(gone.votes);
+  setObject(kept, kept.votes.winner());
+  kept.sightings = std::max(kept.sightings, gone.sightings);
+  kept.evidence = std::max(kept.evidence, gone.evidence);
+  gone.sightings = 0;
+  changed_.insert(tiles_[into.tile].keyframe);
+}
+
+/// The last point of the tile takes the place of one that goes. The index must not know the ones that go.
+void SemanticCloud::erase(std::vector<PointRef> gone) {
+  std::sort(gone.begin(), gone.end(), [](const PointRef& a, const PointRef& b) {
+    return std::pair(a.tile, a.point) > std::pair(b.tile, b.point);
+  });
+  for (const PointRef& ref : gone) {
+    Tile& tile = tiles_[ref.tile];
+    setObject(tile.points[ref.point], 0);
+    const bool isLast = ref.point + 1 == tile.points.size();
+    if (!isLast) {
+      tile.points[ref.point] = tile.points.back();
+      index_[tile.points[ref.point].cell] = ref;
+    }
+    tile.points.pop_back();
+    changed_.insert(tile.keyframe);
+  }
+}
+
+void SemanticCloud::reindex(const std::vector<std::uint32_t>& tiles) {
+  for (const std::uint32_t index : tiles) {
+    for (const CloudPoint& point : tiles_[index].points) index_.erase(point.cell);
+  }
+  enter(tiles);
+}
+
+void SemanticCloud::enter(const std::vector<std::uint32_t>& tiles) {
+  std::vector<PointRef> gone;
+  for (const std::uint32_t index : tiles) {
+    Tile& tile = tiles_[index];
+    tile.T_map_camIndexed = tile.T_map_cam;
+    changed_.insert(tile.keyframe);
+    for (std::uint32_t i = 0; i < tile.points.size(); ++i) {
+      const PointRef ref{index, i};
+      tile.points[i].cell = cellOf(mapPosition(ref), static_cast<float>(options_.voxel_m));
+      const auto [entry, isFree] = index_.try_emplace(tile.points[i].cell, ref);
+      if (isFree) continue;
+      merge(ref, entry->second);
+      gone.push_back(ref);
+    }
+  }
+  erase(std::move(gone));
+}
+
+SemanticCloud::Look SemanticCloud::look(const core::CameraModel& camera, const Eigen::Isometry3d& T_map_cam,
+                                        const cv::Mat& depth_m, const cv::Mat& nearest_m) {
+  const Eigen::Isometry3f T_cam_map = T_map_cam.inverse().cast<float>();
+  Look look;
+  std::vector<PointRef> gone;
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    Tile& tile = tiles_[t];
+    const Eigen::Isometry3f T_cam_tile = T_cam_map * tile.T_map_cam;
+    if (T_cam_tile.translation().norm() > tile.radius_m + static_cast<float>(options_.max_range_m)) continue;
+    for (std::uint32_t i = 0; i < tile.points.size(); ++i) {
+      CloudPoint& seen = tile.points[i];
+      const Eigen::Vector3f p_cam_m = T_cam_tile * seen.p_cam_m;
+      if (p_cam_m.z() < 0.1F || p_cam_m.z() > static_cast<float>(options_.max_range_m)) continue;
+      const Eigen::Vector2d px = camera.hasDistortion() ? camera.projectDistorted(p_cam_m.cast<double>())
+                                                        : camera.project(p_cam_m.cast<double>());
+      const int u = static_cast<int>(std::lround(px.x()));
+      const int v = static_cast<int>(std::lround(px.y()));
+      if (u < 0 || v < 0 || u >= depth_m.cols || v >= depth_m.rows) continue;
+      const float behind_m = nearest_m.at<float>(v, u);
+      if (behind_m > 0 && behind_m - p_cam_m.z() > edgeStep_m(p_cam_m.z()) + edgeStep_m(behind_m)) {
+        if (--seen.evidence >= kLeastEvidence) continue;
+        index_.erase(seen.cell);
+        gone.push_back({t, i});
+        if (seen.object != 0) ++look.erased[seen.object];
+      } else if (seen.object != 0) {
+        const float measured_m = depth_m.at<float>(v, u);
+        const bool isInSight = measured_m > 0 && std::abs(measured_m - p_cam_m.z()) < edgeStep_m(p_cam_m.z());
+        if (isInSight) ++look.inSight[seen.object];
+      }
+    }
+  }
+  erase(std::move(gone));
+  return look;
+}
+
+void SemanticCloud::renameObject(ObjectId from, ObjectId into) {
+  for (Tile& tile : tiles_) {
+    for (CloudPoint& point : tile.points) {
+      point.votes.rename(from, into);
+      if (point.object != from) continue;
+      setObject(point, point.votes.winner());
+      changed_.insert(tile.keyframe);
+    }
+  }
+}
+
+void SemanticCloud::eraseObject(ObjectId object) {
+  std::vector<PointRef> gone;
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    for (std::uint32_t i = 0; i < tiles_[t].points.size(); ++i) {
+      const CloudPoint& point = tiles_[t].points[i];
+      if (point.object != object) continue;
+      index_.erase(point.cell);
+      gone.push_back({t, i});
+    }
+  }
+  erase(std::move(gone));
+}
+
+void SemanticCloud::touchObject(ObjectId object) {
+  for (const Tile& tile : tiles_) {
+    const bool hasIt = std::any_of(tile.points.begin(), tile.points.end(),
+                                   [&](const CloudPoint& point) { return point.object == object; });
+    if (hasIt) changed_.insert(tile.keyframe);
+  }
+}
+
+void SemanticCloud::setObject(CloudPoint& point, ObjectId object) {
+  if (point.object == object) return;
+  if (point.object != 0 && --pointCounts_[point.object] == 0) pointCounts_.erase(point.object);
+  if (object != 0) ++pointCounts_[object];
+  point.object = object;
+}
+
+std::map<ObjectId, std::vector<Eigen::Vector3f>> SemanticCloud::pointsOf(const std::set<ObjectId>& objects) const {
+  std::map<ObjectId, std::vector<Eigen::Vector3f>> points;
+  for (const ObjectId object : objects) points[object];
+  for (const Tile& tile : tiles_) {
+    for (const CloudPoint& point : tile.points) {
+      if (point.object == 0) continue;
+      const auto wanted = points.find(point.object);
+      if (wanted != points.end()) wanted->second.push_back(tile.T_map_cam * point.p_cam_m);
+    }
+  }
+  return points;
+}
+
+void SemanticCloud::absorb(SemanticCloud&& other) {
+  std::vector<std::uint32_t> added;
+  for (Tile& tile : other.tiles_) {
+    const auto index = static_cast<std::uint32_t>(tiles_.size());
+    tileOf_[tile.keyframe] = index;
+    added.push_back(index);
+    tiles_.push_back(std::move(tile));
+  }
+  for (const auto& [object, count] : other.pointCounts_) pointCounts_[object] += count;
+  enter(added);
+}
+
+}  // namespace wardslam::mapping
