@@ -2,6 +2,7 @@
 
 #include "config_command.h"
 #include "eval_command.h"
+#include "eval_objects_command.h"
 #include "knowledge_command.h"
 #include "map_command.h"
 #include "models_command.h"
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
     addRunCommand(app);
     addSweepCommand(app);
     addEvalCommand(app);
+    addEvalObjectsCommand(app);
     addConfigCommand(app);
     addModelsCommand(app);
     addKnowledgeCommand(app);

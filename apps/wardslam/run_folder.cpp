@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "object_list.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
 
@@ -112,6 +113,7 @@ void RunFolder::finish(const RunSummary& summary) {
   storage::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
   for (const auto& pose : summary.slam.trajectory()) corrected.write(pose);
   corrected.finish();
+  if (summary.slam.scene() != nullptr) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
 }

@@ -53,20 +53,22 @@ struct PlacedKeyframe {
   std::uint32_t submap = 0;
   double stamp_s = 0.0;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+  std::vector<Eigen::Vector3f> freeFan_cam_m;
 };
 
 }  // namespace
 
 class MapBuilder::Impl {
  public:
-  Impl(const MappingOptions& options, core::LabelSpace labels, const knowledge::ClassSet& moving)
-      : options_(options), labels_(std::move(labels)), moving_(moving), table_(options.objects) {}
+  Impl(const MappingOptions& options, MapSetting setting)
+      : options_(options), setting_(std::move(setting)), table_(options.objects) {}
 
   void addKeyframe(const odometry::Keyframe& keyframe);
   void apply(const odometry::MapUpdate& update);
   void add(const View& view);
   SemanticMap map();
-  MapChanges takeChanges();
+  SemanticMap map(const MapParts& parts);
+  MapParts takeChanges();
 
  private:
   Part& part(std::uint32_t submap) { return parts_.try_emplace(submap, options_).first->second; }
@@ -86,8 +88,7 @@ class MapBuilder::Impl {
   [[nodiscard]] SemanticCloudTile publish(const Tile& tile) const;
 
   MappingOptions options_;
-  core::LabelSpace labels_;
-  knowledge::ClassSet moving_;
+  MapSetting setting_;
   std::map<KeyframeId, PlacedKeyframe> keyframes_;
   std::map<std::uint32_t, std::uint32_t> joinedInto_;
   std::map<std::uint32_t, Part> parts_;
@@ -95,7 +96,7 @@ class MapBuilder::Impl {
   ObjectId nextId_ = 1;
   ObjectTable table_;
   std::set<ObjectId> touched_;
-  MapChanges changes_;
+  MapParts changes_;
   std::optional<core::CameraModel> raysCamera_;
   cv::Mat rays_;
 };
@@ -104,7 +105,7 @@ void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
   const auto joined = joinedInto_.find(keyframe.submap);
   const std::uint32_t submap = joined == joinedInto_.end() ? keyframe.submap : joined->second;
   if (!first_) first_ = submap;
-  keyframes_[keyframe.id] = {submap, keyframe.stamp_s, keyframe.T_map_cam};
+  keyframes_[keyframe.id] = {submap, keyframe.stamp_s, keyframe.T_map_cam, {}};
   part(submap).cloud.addTile(keyframe.id, keyframe.T_map_cam);
   changes_.keyframes.insert(keyframe.id);
 }
@@ -157,16 +158,19 @@ void MapBuilder::Impl::add(const View& view) {
   const auto keyframe = keyframes_.find(view.keyframe);
   if (keyframe == keyframes_.end()) return;
   Part& part = this->part(keyframe->second.submap);
+  if (view.isKeyframe) {
+    keyframe->second.freeFan_cam_m =
+        freeFan(view.depth_m, view.camera, keyframe->second.T_map_cam, options_.floor_plan);
+  }
   const Eigen::Isometry3d T_map_cam = keyframe->second.T_map_cam * view.T_keyframe_cam;
   const auto cell_m = static_cast<float>(options_.cloud.voxel_m);
 
   const auto look = part.cloud.look(view.camera, T_map_cam, view.depth_m, nearestAround(view.depth_m));
   removeGone(part, part.objects.erase(look.erased, part.cloud.pointCounts()));
-  const cv::Mat usable = usablePixels(view, moving_, options_.cloud);
-  const auto samples =
-      sampleView(view, T_map_cam, raysOf(view.camera), usable, cell_m, options_.cloud.pixel_step);
+  const cv::Mat usable = usablePixels(view, setting_.moving, options_.cloud);
+  const auto samples = sampleView(view, T_map_cam, raysOf(view.camera), usable, cell_m, options_.cloud.pixel_step);
   const auto points = part.cloud.recognise(samples, T_map_cam.translation());
-  const auto detections = detect(view.segmentation, samples, moving_, options_.objects, cell_m);
+  const auto detections = detect(view.segmentation, samples, setting_.moving, options_.objects, cell_m);
   const auto objects = recogniseObjects(part, view, samples, points, detections, look.inSight);
 
   std::vector<SemanticCloud::LabelVote> votes(samples.size());
@@ -298,28 +302,50 @@ SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
 
 SemanticMap MapBuilder::Impl::map() {
   refresh();
-  SemanticMap map;
-  map.labels = labels_;
-  if (!first_) return map;
+  MapParts all;
   for (const auto& [id, keyframe] : keyframes_) {
-    if (keyframe.submap == *first_) map.keyframes[id] = {keyframe.stamp_s, keyframe.T_map_cam, {}};
+    all.keyframes.insert(id);
+    all.tiles.insert(id);
   }
-  for (const Tile& tile : part(*first_).cloud.tiles()) {
-    auto published = publish(tile);
-    if (!published.points.empty()) map.cloud[tile.keyframe] = std::move(published);
-  }
-  map.objects = table_.rows();
+  for (const auto& [id, object] : table_.rows()) all.objects.insert(id);
+  SemanticMap map = this->map(all);
+  map.floorPlan = drawFloorPlan(map, options_.floor_plan);
   return map;
 }
 
-MapChanges MapBuilder::Impl::takeChanges() {
+SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
+  SemanticMap map;
+  map.labels = setting_.labels;
+  map.zones = setting_.zones.all();
+  for (const KeyframeId id : parts.keyframes) {
+    const auto entry = keyframes_.find(id);
+    if (entry == keyframes_.end() || entry->second.submap != first_) continue;
+    const PlacedKeyframe& keyframe = entry->second;
+    const std::string zone = setting_.zones.at(keyframe.T_map_cam.translation().head<2>());
+    map.keyframes[id] = {keyframe.stamp_s, keyframe.T_map_cam, zone, keyframe.freeFan_cam_m};
+  }
+  for (const KeyframeId id : parts.tiles) {
+    const Tile* tile = first_ ? part(*first_).cloud.find(id) : nullptr;
+    if (tile == nullptr) continue;
+    auto published = publish(*tile);
+    if (!published.points.empty()) map.cloud[id] = std::move(published);
+  }
+  for (const ObjectId id : parts.objects) {
+    const auto row = table_.rows().find(id);
+    if (row == table_.rows().end()) continue;
+    map.objects.insert(*row).first->second.zone = setting_.zones.at(row->second.centroid_m.head<2>());
+  }
+  return map;
+}
+
+MapParts MapBuilder::Impl::takeChanges() {
   refresh();
   if (first_) changes_.tiles = part(*first_).cloud.takeChanges();
   return std::exchange(changes_, {});
 }
 
-MapBuilder::MapBuilder(const MappingOptions& options, core::LabelSpace labels, const knowledge::ClassSet& moving)
-    : impl_(std::make_unique<Impl>(options, std::move(labels), moving)) {}
+MapBuilder::MapBuilder(const MappingOptions& options, MapSetting setting)
+    : impl_(std::make_unique<Impl>(options, std::move(setting))) {}
 MapBuilder::~MapBuilder() = default;
 MapBuilder::MapBuilder(MapBuilder&&) noexcept = default;
 MapBuilder& MapBuilder::operator=(MapBuilder&&) noexcept = default;
@@ -328,6 +354,7 @@ void MapBuilder::addKeyframe(const odometry::Keyframe& keyframe) { impl_->addKey
 void MapBuilder::apply(const odometry::MapUpdate& update) { impl_->apply(update); }
 void MapBuilder::add(const View& view) { impl_->add(view); }
 SemanticMap MapBuilder::map() { return impl_->map(); }
-MapChanges MapBuilder::takeChanges() { return impl_->takeChanges(); }
+SemanticMap MapBuilder::map(const MapParts& parts) { return impl_->map(parts); }
+MapParts MapBuilder::takeChanges() { return impl_->takeChanges(); }
 
 }  // namespace wardslam::mapping

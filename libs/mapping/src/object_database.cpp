@@ -6,10 +6,10 @@
 namespace wardslam::mapping {
 namespace {
 
-constexpr int kConvincing = 2;            // views that must show two objects as one
-constexpr double kCovered = 0.5;          // of an object's points in sight, for a mask to cover it
-constexpr std::size_t kFewPoints = 8;     // too few points in sight to judge by
-constexpr double kGoneRatio = 2.0;        // an object is gone when it lost so many times what is left
+constexpr int kConvincing = 2;         // views that must show two objects as one
+constexpr double kCovered = 0.5;       // of an object's points in sight, for a mask to cover it
+constexpr std::size_t kFewPoints = 8;  // too few points in sight to judge by
+constexpr double kGoneRatio = 2.0;     // an object is gone when it lost so many times what is left
 
 std::size_t countOf(const std::map<ObjectId, std::size_t>& counts, ObjectId id) {
   const auto entry = counts.find(id);
@@ -54,7 +54,8 @@ std::vector<ObjectDatabase::Match> ObjectDatabase::candidates(const std::vector<
       matches.push_back({overlap * static_cast<double>(shared), i, id});
     }
   }
-  std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.overlap > b.overlap; });
+  std::stable_sort(matches.begin(), matches.end(),
+                   [](const Match& a, const Match& b) { return a.overlap > b.overlap; });
   return matches;
 }
 

@@ -15,9 +15,9 @@ namespace wardslam::mapping {
 struct Evidence {
   core::ClassId classId = 0;
   float confidence = 1.0F;
-  std::size_t size = 0;                         ///< Samples of the thing.
-  std::map<ObjectId, std::size_t> onObjects;    ///< Of these, how many fall on points of each object.
-  std::map<ObjectId, std::size_t> underMask;    ///< The same of all samples under its mask, the doubtful too.
+  std::size_t size = 0;                       ///< Samples of the thing.
+  std::map<ObjectId, std::size_t> onObjects;  ///< Of these, how many fall on points of each object.
+  std::map<ObjectId, std::size_t> underMask;  ///< The same of all samples under its mask, the doubtful too.
 };
 
 /// What is known of an object besides its points, which the cloud has.
@@ -47,7 +47,8 @@ class ObjectDatabase {
 
   /// Points of these objects were seen through and taken away. `left`: what remains of each. Returns the objects that
   /// are gone by that.
-  std::vector<ObjectId> erase(const std::map<ObjectId, std::size_t>& points, const std::map<ObjectId, std::size_t>& left);
+  std::vector<ObjectId> erase(const std::map<ObjectId, std::size_t>& points,
+                              const std::map<ObjectId, std::size_t>& left);
 
   /// A thing that was gone and the same thing, seen since at another place, are one that moved.
   void reunite(ObjectId gone, ObjectId found);

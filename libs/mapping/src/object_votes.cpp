@@ -13,8 +13,8 @@ constexpr float kStrongest = 20.0F;
 
 void ObjectVotes::add(ObjectId object, float weight) {
   if (weight <= 0) return;
-  const auto same = std::find_if(votes_.begin(), votes_.end(),
-                                 [&](const Vote& v) { return v.weight > 0 && v.object == object; });
+  const auto same =
+      std::find_if(votes_.begin(), votes_.end(), [&](const Vote& v) { return v.weight > 0 && v.object == object; });
   if (same != votes_.end()) {
     same->weight += weight;
     bound();

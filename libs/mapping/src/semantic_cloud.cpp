@@ -10,11 +10,11 @@ namespace wardslam::mapping {
 namespace {
 
 constexpr std::int8_t kNewEvidence = 1;
-constexpr std::int8_t kMostEvidence = 4;   // what stood for long must still be seen to be gone within a second or two
+constexpr std::int8_t kMostEvidence = 4;    // what stood for long must still be seen to be gone within a second or two
 constexpr std::int8_t kLeastEvidence = -1;  // below, the point is gone: it was seen through, and more than once
 
-constexpr float kNoiseReach = 2.0F;           // two sightings of one point differ by no more standard deviations
-constexpr float kMostPrecision_m2 = 4.0e6F;   // (0.5 mm)^-2: systematic errors do not average out
+constexpr float kNoiseReach = 2.0F;          // two sightings of one point differ by no more standard deviations
+constexpr float kMostPrecision_m2 = 4.0e6F;  // (0.5 mm)^-2: systematic errors do not average out
 
 }  // namespace
 
@@ -33,8 +33,7 @@ void SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_m
     Tile& tile = tiles_[entry->second];
     tile.T_map_cam = pose.cast<float>();
     const Eigen::Isometry3f change = tile.T_map_camIndexed.inverse() * tile.T_map_cam;
-    const float shift_m =
-        change.translation().norm() + Eigen::AngleAxisf(change.linear()).angle() * tile.radius_m;
+    const float shift_m = change.translation().norm() + Eigen::AngleAxisf(change.linear()).angle() * tile.radius_m;
     if (shift_m > static_cast<float>(options_.voxel_m) / 2) moved.push_back(entry->second);
   }
   reindex(moved);

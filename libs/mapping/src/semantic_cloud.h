@@ -27,7 +27,7 @@ struct CloudPoint {
   float sigma_m = 0.0F;       ///< Depth noise of its best sighting.
   std::uint64_t cell = 0;     ///< Where the index has it.
   ObjectVotes votes;
-  ObjectId object = 0;  ///< The winner of the votes.
+  ObjectId object = 0;           ///< The winner of the votes.
   std::uint32_t lastFusion = 0;  ///< Number of the call that worked a sighting in.
   std::uint16_t sightings = 0;
   std::int8_t evidence = 0;  ///< Grows with every sighting, sinks with every time it is seen through; bounded.

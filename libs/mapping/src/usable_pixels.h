@@ -8,8 +8,8 @@
 
 namespace wardslam::mapping {
 
-/// Steps in depth below this (m) at depth z (m) are no edges: three times the noise and a step of the Kinect's disparity
-/// (z² / 348 m), and 2 cm of slope.
+/// Steps in depth below this (m) at depth z (m) are no edges: three times the noise and a step of the Kinect's
+/// disparity (z² / 348 m), and 2 cm of slope.
 [[nodiscard]] float edgeStep_m(float z_m);
 
 /// Pixels that may enter the map (CV_8UC1, 255 or 0): within range, off everything that moves and a margin round it,

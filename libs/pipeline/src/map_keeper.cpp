@@ -23,6 +23,7 @@ std::vector<odometry::MapUpdate> MapKeeper::takeUpdates() {
 const graph::Mapper& MapKeeper::finish() {
   if (async_) {
     mapper_ = async_->finish();
+    updates_ = async_->takeUpdates();
     async_.reset();
   }
   return *mapper_;

@@ -22,6 +22,16 @@ std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentat
                                                         segmentation::makeContourRefiner(options, rules.moving()));
 }
 
+std::unique_ptr<SceneKeeper> makeScene(const SlamOptions& options, const knowledge::KnowledgeGraph& knowledge,
+                                       const core::LabelSpace& labels, const mapping::Zones& zones,
+                                       core::Profiler& profiler) {
+  mapping::MapSetting setting{labels, knowledge::MotionRules(knowledge, labels).moving(), zones};
+  const bool isSegmented = options.segmentation.type != segmentation::SegmentationOptions::Type::None;
+  return std::make_unique<SceneKeeper>(std::make_unique<mapping::MapBuilder>(options.mapping, std::move(setting)),
+                                       SceneKeeper::Options{options.mapping.views, !options.deterministic, isSegmented},
+                                       profiler);
+}
+
 mapping::Zones readZones(const SlamOptions& options) {
   if (options.zones.file.empty()) return {};
   return mapping::Zones::fromFile(core::findDataFile(options.zones.file, options.file));
@@ -41,6 +51,7 @@ SlamSystem::SlamSystem(const SlamOptions& options)
       map_(std::make_unique<graph::Mapper>(options.graph, options.odometry), !options.deterministic) {
   requireValid(options.map_frame);
   addObserver(trajectory_);
+  if (options.mapping.enabled) scene_ = makeScene(options, *knowledge_, labels_, zones_, profiler_);
 }
 
 odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
@@ -55,12 +66,23 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   });
   filters_.end(frame, odometry.pose());
   if (odometry.keyframe) profiler_.time("graph.insert", [&] { map_.insert(odometry.keyframe); });
-  for (const auto& update : map_.takeUpdates()) odometry_.apply(update);
+  const auto updates = map_.takeUpdates();
+  for (const auto& update : updates) odometry_.apply(update);
+  if (scene_) scene_->update(frame, odometry, updates);
   for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
   return odometry;
 }
 
-void SlamSystem::finish() { finishedMap_ = &map_.finish(); }
+void SlamSystem::finish() {
+  finishedMap_ = &map_.finish();
+  if (!scene_) return;
+  for (const auto& update : map_.takeUpdates()) scene_->apply(update);
+  scene_->finish();
+}
+
+mapping::SemanticMap SlamSystem::semanticMap() const {
+  return scene_ ? scene_->finish().map() : mapping::SemanticMap{};
+}
 
 void SlamSystem::requireSoundSetup() {
   if (segmenter_) segmenter_->finish();

@@ -25,7 +25,7 @@ class AsyncMapper {
   /// What was found out since the last call, oldest first; does not wait. Throws what the mapper threw.
   [[nodiscard]] std::vector<odometry::MapUpdate> takeUpdates();
 
-  /// Waits until all keyframes are worked in, then gives the mapper back. Call nothing else afterwards.
+  /// Waits until all keyframes are worked in, then gives the mapper back. Call only takeUpdates() afterwards.
   [[nodiscard]] std::unique_ptr<Mapper> finish();
 
  private:

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <set>
 
@@ -10,18 +9,26 @@
 #include "wardslam/mapping/mapping_options.h"
 #include "wardslam/mapping/semantic_map.h"
 #include "wardslam/mapping/view.h"
+#include "wardslam/mapping/zones.h"
 #include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/map_update.h"
 
 namespace wardslam::mapping {
 
-/// Which parts of a SemanticMap differ from what they were. An id that the map no longer holds was removed.
-struct MapChanges {
-  std::set<odometry::KeyframeId> keyframes;  ///< New or moved.
+/// Names parts of a SemanticMap, by their ids.
+struct MapParts {
+  std::set<odometry::KeyframeId> keyframes;
   std::set<odometry::KeyframeId> tiles;
   std::set<ObjectId> objects;
 
   [[nodiscard]] bool empty() const { return keyframes.empty() && tiles.empty() && objects.empty(); }
+};
+
+/// What a map is told before anything is seen.
+struct MapSetting {
+  core::LabelSpace labels = core::LabelSpace::coco();
+  knowledge::ClassSet moving;  ///< Classes that move by themselves: they never enter the map.
+  Zones zones;
 };
 
 /// Builds the semantic map (P8–P10) from views and from what the keyframe graph finds out. Everything it holds hangs on
@@ -31,8 +38,7 @@ struct MapChanges {
 /// Plain and single-threaded; the same input gives the same map.
 class MapBuilder {
  public:
-  /// `moving`: the classes that move by themselves and never enter the map.
-  MapBuilder(const MappingOptions& options, core::LabelSpace labels, const knowledge::ClassSet& moving);
+  MapBuilder(const MappingOptions& options, MapSetting setting);
   ~MapBuilder();
   MapBuilder(MapBuilder&&) noexcept;
   MapBuilder& operator=(MapBuilder&&) noexcept;
@@ -49,8 +55,11 @@ class MapBuilder {
   /// The map as it is now.
   [[nodiscard]] SemanticMap map();
 
-  /// What differs in map() since the last call.
-  [[nodiscard]] MapChanges takeChanges();
+  /// Parts that are new, different or removed since the last call.
+  [[nodiscard]] MapParts takeChanges();
+
+  /// The map with no more keyframes, tiles and objects than these; what is missing in it was removed.
+  [[nodiscard]] SemanticMap map(const MapParts& parts);
 
  private:
   class Impl;

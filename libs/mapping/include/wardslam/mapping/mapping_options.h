@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wardslam/core/options.h"
+#include "wardslam/mapping/floor_planner.h"
 
 namespace wardslam::mapping {
 
@@ -66,6 +67,7 @@ struct MappingOptions {
   ViewOptions views;
   CloudOptions cloud;
   ObjectOptions objects;
+  FloorPlanOptions floor_plan;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -73,6 +75,7 @@ struct MappingOptions {
     visit.group("views", self.views);
     visit.group("cloud", self.cloud);
     visit.group("objects", self.objects);
+    visit.group("floor_plan", self.floor_plan);
   }
 };
 

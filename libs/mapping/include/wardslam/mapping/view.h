@@ -12,6 +12,7 @@ namespace wardslam::mapping {
 /// An RGB-D image to be worked into the map. Images as in core::Frame.
 struct View {
   odometry::KeyframeId keyframe = 0;  ///< The one it hangs on; moves with it.
+  bool isKeyframe = false;            ///< It is the image of that keyframe itself.
   Eigen::Isometry3d T_keyframe_cam = Eigen::Isometry3d::Identity();
   double stamp_s = 0.0;
   core::CameraModel camera;

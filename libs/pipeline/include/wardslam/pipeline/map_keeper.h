@@ -17,7 +17,7 @@ class MapKeeper {
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
   [[nodiscard]] std::vector<odometry::MapUpdate> takeUpdates();
 
-  /// Ends the work behind; the mapper then holds all keyframes.
+  /// Ends the work behind; the mapper then holds all keyframes, and takeUpdates() gives the last of its findings.
   const graph::Mapper& finish();
 
  private:

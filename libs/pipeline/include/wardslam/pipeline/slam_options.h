@@ -7,6 +7,7 @@
 #include "wardslam/features/orb_extractor.h"
 #include "wardslam/filters/filter_chain.h"
 #include "wardslam/graph/graph_options.h"
+#include "wardslam/mapping/mapping_options.h"
 #include "wardslam/odometry/odometry_options.h"
 #include "wardslam/pipeline/start_pose.h"
 #include "wardslam/segmentation/segmenter_factory.h"
@@ -44,6 +45,7 @@ struct SlamOptions {
   MapFrameOptions map_frame;
   odometry::OdometryOptions odometry;
   graph::GraphOptions graph;
+  mapping::MappingOptions mapping;
 
   std::filesystem::path file;  ///< Where it was read from; empty for the defaults.
 
@@ -65,6 +67,7 @@ struct SlamOptions {
     visit.group("map_frame", self.map_frame);
     visit.group("odometry", self.odometry);
     visit.group("graph", self.graph);
+    visit.group("mapping", self.mapping);
   }
 };
 

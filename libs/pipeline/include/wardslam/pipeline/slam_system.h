@@ -12,6 +12,7 @@
 #include "wardslam/odometry/odometry.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/map_keeper.h"
+#include "wardslam/pipeline/scene_keeper.h"
 #include "wardslam/pipeline/slam_options.h"
 #include "wardslam/pipeline/trajectory_recorder.h"
 #include "wardslam/sources/frame_builder.h"
@@ -43,6 +44,12 @@ class SlamSystem {
   /// Keyframes, points and loops. After finish().
   [[nodiscard]] const graph::Mapper& map() const { return *finishedMap_; }
 
+  /// Coloured cloud and objects (P8-P10). After finish(); empty when `mapping.enabled` is false.
+  [[nodiscard]] mapping::SemanticMap semanticMap() const;
+
+  /// The work on the semantic map; null when `mapping.enabled` is false.
+  [[nodiscard]] SceneKeeper* scene() const { return scene_.get(); }
+
   /// Must outlive this object.
   void addObserver(FrameObserver& observer) { observers_.push_back(&observer); }
 
@@ -68,6 +75,7 @@ class SlamSystem {
   TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;
   core::Profiler profiler_;
+  std::unique_ptr<SceneKeeper> scene_;
 };
 
 }  // namespace wardslam::pipeline

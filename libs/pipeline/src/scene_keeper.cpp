@@ -1,0 +1,87 @@
+#include "wardslam/pipeline/scene_keeper.h"
+
+#include <Eigen/Geometry>
+#include <utility>
+
+#include "wardslam/core/annotation.h"
+
+namespace wardslam::pipeline {
+namespace {
+
+/// What the filters marked as moving; empty when they marked nothing.
+cv::Mat movingPixels(const core::Frame& frame) {
+  if (!frame.observation) return {};
+  const cv::Mat labels = core::annotationOf(*frame.observation);
+  if (labels.size() != frame.depth_m.size()) return {};
+  cv::Mat moving;
+  cv::bitwise_and(labels, cv::Scalar(core::bitOf(core::PixelLabel::Dynamic)), moving);
+  return moving;
+}
+
+mapping::View viewOf(const core::Frame& frame, const odometry::OdometryResult& odometry) {
+  mapping::View view;
+  view.keyframe = odometry.referenceKeyframe;
+  view.isKeyframe = odometry.keyframe != nullptr;
+  view.T_keyframe_cam = odometry.T_keyframe_cam;
+  view.stamp_s = frame.stamp_s;
+  view.camera = frame.camera;
+  view.color_bgr = frame.color_bgr;
+  view.depth_m = frame.depth_m;
+  view.segmentation = frame.segmentation;
+  view.moving = movingPixels(frame);
+  return view;
+}
+
+}  // namespace
+
+SceneKeeper::SceneKeeper(std::unique_ptr<mapping::MapBuilder> builder, const Options& options, core::Profiler& profiler)
+    : options_(options), profiler_(profiler), builder_(std::move(builder)) {
+  if (options.inBackground) async_ = std::make_unique<mapping::AsyncMapBuilder>(std::move(builder_));
+}
+
+void SceneKeeper::update(const core::Frame& frame, const odometry::OdometryResult& odometry,
+                         const std::vector<odometry::MapUpdate>& updates) {
+  if (odometry.keyframe) post([keyframe = odometry.keyframe](mapping::MapBuilder& b) { b.addKeyframe(*keyframe); });
+  for (const odometry::MapUpdate& found : updates) apply(found);
+  if (!showsSomethingNew(frame, odometry)) return;
+  lastView_ = {frame.stamp_s, odometry.T_map_cam};
+  const bool isKeyframe = odometry.keyframe != nullptr;
+  auto work = [view = viewOf(frame, odometry), &profiler = profiler_](mapping::MapBuilder& b) {
+    profiler.time("mapping.add", [&] { b.add(view); });
+  };
+  async_ ? async_->postView(std::move(work), isKeyframe) : work(*builder_);
+  if (isKeyframe && onKeyframe_) post([listener = onKeyframe_](mapping::MapBuilder& b) { listener(b); });
+}
+
+bool SceneKeeper::showsSomethingNew(const core::Frame& frame, const odometry::OdometryResult& odometry) const {
+  if (!odometry.hasPose()) return false;
+  if (options_.needsSegmentation && frame.segmentation.empty()) return false;
+  if (odometry.keyframe || !lastView_) return true;
+  const Eigen::Isometry3d step = lastView_->T_map_cam.inverse() * odometry.T_map_cam;
+  return step.translation().norm() >= options_.views.step_m ||
+         Eigen::AngleAxisd(step.linear()).angle() >= options_.views.turn_rad ||
+         frame.stamp_s - lastView_->stamp_s >= options_.views.gap_s;
+}
+
+void SceneKeeper::apply(const odometry::MapUpdate& update) {
+  if (update.T_map_cam.empty() && !update.joined) return;
+  odometry::MapUpdate poses;
+  poses.T_map_cam = update.T_map_cam;
+  poses.joined = update.joined;
+  post([poses = std::move(poses)](mapping::MapBuilder& b) { b.apply(poses); });
+}
+
+void SceneKeeper::post(std::function<void(mapping::MapBuilder&)> work) {
+  async_ ? async_->post(std::move(work)) : work(*builder_);
+}
+
+mapping::MapBuilder& SceneKeeper::finish() {
+  if (async_) {
+    dropped_ = async_->dropped();
+    builder_ = async_->finish();
+    async_.reset();
+  }
+  return *builder_;
+}
+
+}  // namespace wardslam::pipeline
