@@ -4,6 +4,18 @@
 
 namespace wardslam::synth {
 
+/// Where a robot's base is, and how far its head turns from side to side.
+struct DrivenPlace {
+  Eigen::Vector2d p_m = Eigen::Vector2d::Zero();
+  double yaw_rad = 0.0;
+  double looksAbout_rad = 0.0;
+  double height_m = 1.1;
+};
+
+/// The optical frame (x right, y down, z forward) of a camera on that base, which looks a little down and sways as it
+/// drives; `rounds` driven so far.
+[[nodiscard]] Eigen::Isometry3d drivenCamera(const DrivenPlace& place, double rounds);
+
 /// How the camera drives: along an ellipse, again and again, looking about as a robot does on its way.
 struct CameraPath {
   Eigen::Vector2d centre_m{4.2, 3.2};

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <string>
 
 #include "support/command_line.h"
@@ -26,17 +27,20 @@ void declare(CLI::App& app, Arguments& arguments) {
       ->check([](const std::string& file) {
         return std::filesystem::path(file).extension() == ".rawlog" ? std::string() : "must end in .rawlog";
       });
-  app.add_option("--seconds", options.seconds, "how long it lasts")
-      ->check(CLI::Range(0.01, 3600.0))
-      ->capture_default_str();
+  app.add_option("--scene", options.place,
+                 "ward: one room; floor: two rooms and a corridor, one round of 41 m a minute")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, synth::Place>{{"ward", synth::Place::Ward}, {"floor", synth::Place::Floor}}));
+  app.add_option("--seconds", options.seconds, "how long it lasts; unless told 20 s of the ward, a round of the floor")
+      ->check(CLI::Range(0.01, 3600.0));
   app.add_option("--rate", options.rate_hz, "pictures per second")
       ->check(CLI::Range(0.1, 120.0))
       ->capture_default_str();
-  app.add_option("--seed", options.ward.seed, "another seed, another ward: textures, furniture, noise")
+  app.add_option("--seed", options.scene.seed, "another seed, another place: textures, furniture, noise")
       ->capture_default_str();
   app.add_flag_callback(
-      "--no-people", [&options] { options.ward.people = false; },
-      "an empty ward; the trolley stands where it would be left");
+      "--no-people", [&options] { options.scene.people = false; },
+      "nobody there; in the ward the trolley stands where it would be left");
   app.add_option("--width", options.width_px, "image width, px")->check(CLI::Range(64, 2048))->capture_default_str();
   app.add_option("--height", options.height_px, "image height, px")->check(CLI::Range(48, 2048))->capture_default_str();
   app.add_option("--depth-noise", options.sensor.depthNoise, "times a Kinect's depth noise; 0 = perfect depth")
@@ -68,7 +72,7 @@ int synthesise(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   return apps::runProgram("rawlog-synth", [&]() -> int {
-    CLI::App app("Renders a hospital ward with walking people as an RGB-D rawlog with exact ground truth and labels",
+    CLI::App app("Renders a hospital with walking people as an RGB-D rawlog with exact ground truth and labels",
                  "rawlog-synth");
     app.set_version_flag("--version", "rawlog-synth " WARDSLAM_VERSION);
     Arguments arguments;

@@ -5,11 +5,30 @@
 #include <future>
 #include <vector>
 
+#include "camera_path.h"
+#include "floor_scene.h"
 #include "renderer.h"
 #include "sequence_writer.h"
+#include "ward_scene.h"
 
 namespace wardslam::synth {
 namespace {
+
+/// A scene and the camera's way through it.
+struct Setting {
+  Scene scene;
+  std::function<Eigen::Isometry3d(double)> T_world_cam;
+};
+
+Setting makeSetting(const SynthesisOptions& options) {
+  if (options.place == Place::Floor)
+    return {buildFloor(options.scene), [path = FloorPath()](double t_s) { return path.T_world_cam(t_s); }};
+  return {buildWard(options.scene), [path = CameraPath()](double t_s) { return path.T_world_cam(t_s); }};
+}
+
+double durationOf_s(const SynthesisOptions& options) {
+  return options.seconds.value_or(options.place == Place::Floor ? FloorPath().round_s : 20.0);
+}
 
 std::vector<Label> allLabels(const Scene& scene) {
   std::vector<Label> labels;
@@ -57,16 +76,16 @@ double timeOf(std::size_t frame, double rate_hz) {
   return std::round(static_cast<double>(frame) / rate_hz * 1e6) / 1e6;
 }
 
-SequenceFrame record(const Rendering& rendering, const Scene& scene, const SynthesisOptions& options,
+SequenceFrame record(const Rendering& rendering, const Setting& setting, const SynthesisOptions& options,
                      std::size_t index) {
   const double t_s = timeOf(index, options.rate_hz);
   SequenceFrame frame;
   frame.stamp_s = kFirstStamp_s + t_s;
-  frame.color_bgr = exposeColor(rendering.color_bgr, options.sensor, noiseSeed(options.ward.seed, index, 0));
-  frame.depth_m = measureDepth(rendering.depth_m, options.sensor, noiseSeed(options.ward.seed, index, 1));
+  frame.color_bgr = exposeColor(rendering.color_bgr, options.sensor, noiseSeed(options.scene.seed, index, 0));
+  frame.depth_m = measureDepth(rendering.depth_m, options.sensor, noiseSeed(options.scene.seed, index, 1));
   frame.instanceIds = rendering.instanceIds;
-  frame.dynamic = dynamicMask(rendering.instanceIds, scene, t_s);
-  frame.T_world_cam = CameraPath().T_world_cam(t_s);
+  frame.dynamic = dynamicMask(rendering.instanceIds, setting.scene, t_s);
+  frame.T_world_cam = setting.T_world_cam(t_s);
   return frame;
 }
 
@@ -83,29 +102,29 @@ core::CameraModel cameraFor(int width_px, int height_px) {
 }
 
 std::size_t frameCount(const SynthesisOptions& options) {
-  return static_cast<std::size_t>(std::max(1.0, std::round(options.seconds * options.rate_hz)));
+  return static_cast<std::size_t>(std::max(1.0, std::round(durationOf_s(options) * options.rate_hz)));
 }
 
 std::size_t synthesise(const std::filesystem::path& rawlog, const SynthesisOptions& options,
                        const std::function<bool(std::size_t)>& goOn) {
   const core::CameraModel camera = cameraFor(options.width_px, options.height_px);
-  const Scene scene = buildWard(options.ward);
-  Renderer renderer(scene, camera);
-  SequenceWriter writer(rawlog, camera, allLabels(scene));
+  const Setting setting = makeSetting(options);
+  Renderer renderer(setting.scene, camera);
+  SequenceWriter writer(rawlog, camera, allLabels(setting.scene));
 
   const std::size_t total = frameCount(options);
   std::size_t done = 0;
   std::future<void> recording;  // of the frame before, while the next one is rendered
   while (done < total) {
     const double t_s = timeOf(done, options.rate_hz);
-    const Rendering rendering = renderer.render(t_s, CameraPath().T_world_cam(t_s));
+    const Rendering rendering = renderer.render(t_s, setting.T_world_cam(t_s));
     if (recording.valid()) recording.get();
-    recording =
-        std::async(std::launch::async, [&, rendering, done] { writer.write(record(rendering, scene, options, done)); });
+    recording = std::async(std::launch::async,
+                           [&, rendering, done] { writer.write(record(rendering, setting, options, done)); });
     if (!goOn(++done)) break;
   }
   recording.get();
-  writer.finish(staticObjects(scene, static_cast<double>(done) / options.rate_hz));
+  writer.finish(staticObjects(setting.scene, static_cast<double>(done) / options.rate_hz));
   return done;
 }
 

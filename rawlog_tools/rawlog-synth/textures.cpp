@@ -46,6 +46,9 @@ std::map<Material, cv::Mat> paintTextures(const RoomShape& room, std::uint32_t s
   paint(Material::OutfitNurse, [](cv::RNG& rng) { return paintOutfit(kNurse, rng); });
   paint(Material::OutfitPorter, [](cv::RNG& rng) { return paintOutfit(kPorter, rng); });
   paint(Material::OutfitVisitor, [](cv::RNG& rng) { return paintOutfit(kVisitor, rng); });
+  for (const auto& [material, length_m] : room.innerWalls_m) {
+    paint(material, wall(length_m, WallFeature::None, material == Material::CorridorWall ? blue : green));
+  }
   return textures;
 }
 

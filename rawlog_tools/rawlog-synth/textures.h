@@ -28,7 +28,11 @@ enum class Material {
   Leaves,
   OutfitNurse,
   OutfitPorter,
-  OutfitVisitor
+  OutfitVisitor,
+  CorridorWall,  ///< Walls within a building; only where RoomShape has them.
+  RoomsWall,
+  PartitionWest,
+  PartitionEast
 };
 
 constexpr int kPosterColumns = 4;
@@ -45,12 +49,14 @@ inline const cv::Rect2f kHair{0.75F, 0.5F, 0.25F, 0.25F};
 inline const cv::Rect2f kShoes{0.5F, 0.75F, 0.25F, 0.25F};
 }  // namespace outfit
 
-/// The room the walls, floor and ceiling are painted for, and what throws a soft shadow on the floor.
+/// The room, or rooms under one ceiling, that the walls, floor and ceiling are painted for, and what throws a soft
+/// shadow on the floor.
 struct RoomShape {
   float length_m = 9.0F;  ///< Along x.
   float width_m = 6.4F;   ///< Along y.
   float height_m = 2.9F;
   std::vector<cv::Rect2f> footprints_m;
+  std::map<Material, float> innerWalls_m;  ///< Length of each.
 };
 
 /// Paints all textures (CV_8UC3, BGR). The same seed paints the same bytes.

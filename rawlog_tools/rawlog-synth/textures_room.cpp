@@ -10,6 +10,7 @@ namespace {
 constexpr float kFloorPixels_per_m = 220.0F;
 constexpr float kCeilingPixels_per_m = 110.0F;
 constexpr float kWallPixels_per_m = 220.0F;
+constexpr float kChips_per_m2 = 11000.0F / 57.6F;
 
 int pixels(float length_m, float pixels_per_m) { return cvRound(length_m * pixels_per_m); }
 
@@ -108,7 +109,8 @@ cv::Mat paintFloor(const RoomShape& room, cv::RNG& rng) {
                                {182, 192, 196});
   paint::shade(image, paint::noise(image.size(), {90, 90}, 3, rng), 9);
   paint::shade(image, paint::noise(image.size(), {11, 11}, 2, rng), 11);
-  for (int i = 0; i < 11000; ++i) {  // chips of the vinyl
+  const int chips = cvRound(kChips_per_m2 * room.length_m * room.width_m);
+  for (int i = 0; i < chips; ++i) {  // of the vinyl
     const cv::Point centre(rng.uniform(0, image.cols), rng.uniform(0, image.rows));
     cv::ellipse(image, centre, {rng.uniform(2, 7), rng.uniform(2, 5)}, rng.uniform(0.0, 180.0), 0, 360,
                 cv::Scalar::all(rng.uniform(95, 245)) + paint::randomColour(rng, -14, 14), cv::FILLED, cv::LINE_AA);
@@ -128,7 +130,7 @@ cv::Mat paintCeiling(const RoomShape& room, cv::RNG& rng) {
   paintTileJoints(image, pixels(0.6F, s), rng);
   paint::light(image, dimBorder(image.size(), pixels(0.6F, s), 0.8F));
   for (float x = 1.2F; x + 1.2F < room.length_m; x += 2.4F) {
-    for (const float y : {1.8F, 3.6F}) {
+    for (float y = 1.8F; y + 1.8F < room.width_m; y += 1.8F) {
       const cv::Rect lamp(pixels(x, s), pixels(y, s), pixels(1.2F, s), pixels(0.6F, s));
       cv::rectangle(image, lamp, cv::Scalar::all(255), cv::FILLED);
       for (int i = 1; i < 6; ++i) {

@@ -1,14 +1,6 @@
 #include "ward_people.h"
 
-#include "actors.h"
-#include "ward_scene.h"
-
 namespace wardslam::synth {
-namespace {
-
-constexpr core::ClassId kPerson = 1;
-
-}  // namespace
 
 Walker porterWalk() {
   // Pushes the trolley across the aisle into the gap between two beds, leaves it, rests by the window.
@@ -67,18 +59,6 @@ Walker visitorWalk() {
                  {28.4, {8.35, 1.8}},
                  {38.0, {8.35, 1.8}}},
                 0.0);
-}
-
-void addPeople(Scene& scene, std::uint16_t firstId) {
-  const auto add = [&](const char* name, const Walker& walk, const Body& body, Material outfit,
-                       PushingTime pushing = {}) {
-    scene.actors.push_back(
-        std::make_unique<PersonActor>(Label{firstId++, name, kPerson, "person"}, walk, body, outfit, pushing));
-  };
-  add("nurse", nurseWalk(), {1.7F, 0.95F, HairStyle::Bun, Clothing::Tunic}, Material::OutfitNurse);
-  add("porter", porterWalk(), {1.82F, 1.1F, HairStyle::Short, Clothing::Shirt}, Material::OutfitPorter,
-      {-10.0, kTrolleyLeft_s});
-  add("visitor", visitorWalk(), {1.74F, 1.0F, HairStyle::Long, Clothing::Shirt}, Material::OutfitVisitor);
 }
 
 }  // namespace wardslam::synth

@@ -179,12 +179,22 @@ TEST(RawlogSynth, EmptyWardHasTheTrolleyAmongItsObjects) {
   EXPECT_EQ(counts.count("person"), 0U);
 }
 
+TEST(RawlogSynth, RendersAFloorFromWhereItsRoundBegins) {
+  const test::TemporaryFolder folder;
+  const std::string size = " --rate 10 --width 160 --height 120";
+  ASSERT_EQ(run("--scene floor --seconds 0.2 -o " + (folder.path() / "f.rawlog").string() + size), 0);
+  EXPECT_EQ(readRawlog(folder.path() / "f.rawlog").size(), 2U);
+  const auto truth = storage::readTumTrajectory(folder.path() / "f.groundtruth.txt");
+  EXPECT_TRUE(truth.front().T_map_cam.translation().head<2>().isApprox(Eigen::Vector2d(9.0, 1.5), 1e-6));
+}
+
 TEST(RawlogSynth, WrongArgumentsAreUsageErrors) {
   EXPECT_EQ(run(""), 2);
   EXPECT_EQ(run("-o ward.bag"), 2);
   EXPECT_EQ(run("-o w.rawlog --seconds -3"), 2);
   EXPECT_EQ(run("-o w.rawlog --widht 640"), 2);
   EXPECT_EQ(run("-o /nonexistent/folder/w.rawlog --seconds 0.1"), 1);
+  EXPECT_EQ(run("-o w.rawlog --scene garden"), 2);
   EXPECT_EQ(run("--help"), 0);
 }
 

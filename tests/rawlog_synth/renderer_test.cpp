@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "camera_path.h"
 #include "synthesis.h"
+#include "ward_scene.h"
 #include "wardslam/core/mrpt_compat.h"
 
 namespace wardslam::synth {

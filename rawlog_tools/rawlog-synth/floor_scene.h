@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "closed_route.h"
+#include "people.h"
+#include "scene_builder.h"
+
+/// A floor of a hospital: two rooms beside each other with a door between them, and a corridor along both.
+namespace wardslam::synth {
+
+/// With people: a nurse who comes along the corridor, a visitor, a porter.
+[[nodiscard]] Scene buildFloor(const SceneOptions& options);
+
+/// How the camera drives: along the corridor, through both rooms, and back to where it began.
+struct FloorPath {
+  double round_s = 60.0;
+  ClosedRoute route = floorRoute();
+
+  [[nodiscard]] Eigen::Isometry3d T_world_cam(double t_s) const;
+  [[nodiscard]] static ClosedRoute floorRoute();
+};
+
+/// Everybody repeats their round with the camera's.
+[[nodiscard]] PeopleWays floorWays();
+
+}  // namespace wardslam::synth
