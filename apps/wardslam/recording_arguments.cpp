@@ -8,6 +8,8 @@
 namespace wardslam::apps {
 namespace {
 
+constexpr const char* kGeometricFilter = "wardslam::filters::GeometricMotionFilter";
+
 void warn(const std::string& sentence) { std::cerr << "wardslam: " << sentence << "\n"; }
 
 }  // namespace
@@ -56,9 +58,12 @@ pipeline::SlamOptions effectiveOptions(const RecordingArguments& arguments) {
   if (arguments.filter == "off") {
     options.segmentation.type = Segmenter::None;
     options.filters = pipeline::SlamOptions::noFilters();
+  } else if (arguments.filter == "geometric") {
+    options.segmentation.type = Segmenter::None;
+    options.keepOnlyFilters(kGeometricFilter);
   } else if (!hasMasks && arguments.config.empty()) {
-    warn("without --masks or --model nothing is segmented: running with the filter off");
-    options.filters = pipeline::SlamOptions::noFilters();
+    warn("without --masks or --model nothing is segmented: what moves is told by geometry alone");
+    options.keepOnlyFilters(kGeometricFilter);
   }
   if (!arguments.mode.empty() &&
       !options.setFilterParameter("wardslam::filters::SemanticDynamicFilter", "mode", arguments.mode)) {

@@ -37,8 +37,10 @@ void addRunCommand(CLI::App& app) {
   auto arguments = std::make_shared<RunArguments>();
   addRecordingArguments(*command, arguments->recording);
   command
-      ->add_option("--filter", arguments->recording.filter, "whether to leave out what moves; on where there are masks")
-      ->check(CLI::IsMember({"on", "off"}));
+      ->add_option("--filter", arguments->recording.filter,
+                   "how to leave out what moves: by masks and geometry (on), by geometry alone, not at all; on where "
+                   "there are masks, else geometric")
+      ->check(CLI::IsMember({"on", "geometric", "off"}));
   command->add_flag("--realtime", arguments->realtime, "frames come no faster than they were recorded");
   command->add_flag("--deterministic", arguments->recording.deterministic, "same input, same bytes out");
   command

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "filters/ward_fixture.h"
+#include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/filters/register_filters.h"
 
@@ -133,7 +134,8 @@ TEST(FilterChain, SaysWhatIsWrongWithTheList) {
 TEST(FilterChain, SaysWhatIsWrongWithAPlugin) {
   EXPECT_THAT(errorOf(" - {class_name: x, plugin: /nowhere/libx.so}\n"),
               testing::AllOf(HasSubstr("wardslam.yaml:2"), HasSubstr("there is no plug-in /nowhere/libx.so")));
-  const std::string noLibrary = __FILE__;
+  const test::TemporaryFolder folder;
+  const std::string noLibrary = folder.write("libnone.so", "no library");
   EXPECT_THAT(errorOf(" - {class_name: x, plugin: " + noLibrary + "}\n"),
               testing::AllOf(HasSubstr("wardslam.yaml:2"), HasSubstr("cannot be loaded")));
 }

@@ -23,6 +23,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::MatchesRegex;
+using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 using Arguments = std::vector<std::string>;
@@ -150,11 +151,31 @@ TEST_F(RunCommand, MasksTakeKeypointsOut) {
   EXPECT_EQ(summary().at("dynamic_keypoint_fraction"), 0.0);
 }
 
-TEST_F(RunCommand, WithoutMasksItSaysThatNothingIsFiltered) {
+TEST_F(RunCommand, WithoutMasksItSaysThatGeometryAloneDecides) {
   const test::RoomRecording room(kImages);
   const auto result = run(room.path(), {});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("filter off"), HasSubstr("--masks")));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("geometry alone"), HasSubstr("--masks")));
+  const std::string told = test::readText(out / "config.yaml");
+
+  const auto asked = run(room.path(), {"--filter", "geometric"});
+  EXPECT_EQ(asked.exitCode, 0);
+  EXPECT_THAT(asked.err, IsEmpty());
+  EXPECT_EQ(test::readText(out / "config.yaml"), told);
+  EXPECT_THAT(told, AllOf(HasSubstr("GeometricMotionFilter"), Not(HasSubstr("SemanticDynamicFilter"))));
+}
+
+TEST_F(RunCommand, TheGeometricFilterKeepsItsParameters) {
+  const test::RoomRecording room(kImages);
+  const auto config =
+      folder.write("my.yaml",
+                   "filters:\n"
+                   "  - class_name: wardslam::filters::SemanticDynamicFilter\n"
+                   "  - {class_name: wardslam::filters::GeometricMotionFilter, params: {points: 99}}\n");
+  EXPECT_EQ(run(room.path(), {"--config", config, "--masks", room.masks(), "--filter", "geometric"}).exitCode, 0);
+  EXPECT_THAT(test::readText(out / "config.yaml"),
+              AllOf(HasSubstr("points: 99"), Not(HasSubstr("SemanticDynamicFilter"))));
+  EXPECT_LT(summary().at("dynamic_keypoint_fraction"), 0.02) << "nothing moves in the room";
 }
 
 TEST_F(RunCommand, TheEffectiveConfigurationRepeatsTheRun) {

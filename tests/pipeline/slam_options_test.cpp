@@ -4,6 +4,7 @@
 
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/filters/filter_chain.h"
 
 namespace wardslam::pipeline {
 namespace {
@@ -47,8 +48,9 @@ TEST_F(SlamOptionsTest, AFileOverlaysTheDefaults) {
   EXPECT_EQ(options.odometry.matcher.wide_radius_px, defaults.odometry.matcher.wide_radius_px);
   EXPECT_EQ(options.odometry.min_inliers, defaults.odometry.min_inliers);
   EXPECT_EQ(options.knowledge.file, defaults.knowledge.file);
-  ASSERT_EQ(options.filters.yaml().size(), 1U);
+  ASSERT_EQ(options.filters.yaml().size(), 2U);
   EXPECT_EQ(options.filters.yaml()[0]["class_name"].as<std::string>(), "wardslam::filters::SemanticDynamicFilter");
+  EXPECT_EQ(options.filters.yaml()[1]["class_name"].as<std::string>(), "wardslam::filters::GeometricMotionFilter");
 }
 
 TEST_F(SlamOptionsTest, AnEmptyFileKeepsThemAll) {
@@ -79,6 +81,22 @@ TEST_F(SlamOptionsTest, AParameterOfAFilterCanBeOverruled) {
   EXPECT_FALSE(SlamOptions{}.filters.item(0).child("params").exists()) << "other options stay as they are";
   defaults.filters = SlamOptions::noFilters();
   EXPECT_FALSE(defaults.setFilterParameter("wardslam::filters::SemanticDynamicFilter", "n", "5"));
+}
+
+TEST_F(SlamOptionsTest, AllFiltersButThoseOfOneClassCanBeLeftOut) {
+  auto options = read("filters:\n  - {class_name: first}\n  - {class_name: second, params: {a: 1}}\n");
+  options.keepOnlyFilters("second");
+  ASSERT_EQ(options.filters.yaml().size(), 1U);
+  EXPECT_EQ(options.filters.item(0).child("params").child("a").yaml().as<int>(), 1);
+
+  options.keepOnlyFilters("third");
+  ASSERT_EQ(options.filters.yaml().size(), 1U);
+  EXPECT_EQ(options.filters.item(0).child("class_name").yaml().as<std::string>(), "third");
+  EXPECT_FALSE(options.filters.item(0).child("params").exists());
+
+  auto wrong = read("filters: {class_name: first}\n");
+  wrong.keepOnlyFilters("first");
+  EXPECT_THROW(filters::FilterChain(wrong.filters, {}), core::InputError) << "still no list";
 }
 
 TEST_F(SlamOptionsTest, AnUnknownKeyNamesTheNearest) {

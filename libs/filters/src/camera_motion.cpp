@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <opencv2/calib3d.hpp>
@@ -17,12 +18,13 @@ using Matches = std::vector<PointMatch>;
 
 constexpr int kColumns = 8;
 constexpr int kRows = 6;
-constexpr double kMostPerCell = 5.0;
+constexpr double kMostPerCell = 1.5;  // weight: a handful of points
 constexpr int kMaxDraws = 100;
 constexpr std::size_t kMinMatches = 6;
 constexpr double kBelieved = 0.65;  // weight from which a match counts as known to be static
 constexpr double kCredible = 0.4;   // mean weight below which a consensus is that of movers
 constexpr double kMajority = 0.6;   // of what is known to be static must agree
+constexpr double kSharp_px = 1.0;   // noise of a point in a sharp image
 constexpr double kDepthCalibration = 0.01;
 constexpr double kSteepSlope = 1.7;  // tangent of 60 degrees
 
@@ -35,8 +37,18 @@ double medianOf(std::vector<double> values) {
 class Consensus {
  public:
   Consensus(const Matches& matches, const core::CameraModel& camera) : matches_(matches), camera_(camera) {
-    for (const PointMatch& match : matches) cells_.push_back(cellOf(match.b_px));
+    std::array<double, kColumns * kRows> sums{};
+    for (const PointMatch& match : matches) {
+      cells_.push_back(cellOf(match.b_px));
+      sums[cells_.back()] += match.weight;
+    }
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+      says_.push_back(matches[i].weight * std::min(1.0, kMostPerCell / std::max(sums[cells_[i]], 1e-9)));
+    }
   }
+
+  /// What each match has to say: its weight, shared with those of its cell where they are many.
+  [[nodiscard]] const std::vector<double>& says() const { return says_; }
 
   [[nodiscard]] double error(std::size_t i, const Eigen::Isometry3d& T_b_a) const {
     return squaredError(matches_[i], T_b_a, camera_);
@@ -53,13 +65,13 @@ class Consensus {
                            [](double sum, double vote) { return sum + std::min(vote, kMostPerCell); });
   }
 
-  /// Share of the weight that agrees.
+  /// Share of what has a say that agrees.
   [[nodiscard]] double share(const Eigen::Isometry3d& T_b_a) const {
     double agree = 0;
     double all = 0;
     for (std::size_t i = 0; i < matches_.size(); ++i) {
-      all += matches_[i].weight;
-      if (error(i, T_b_a) < kChiSquare99) agree += matches_[i].weight;
+      all += says_[i];
+      if (error(i, T_b_a) < kChiSquare99) agree += says_[i];
     }
     return all > 0 ? agree / all : 0.0;
   }
@@ -104,6 +116,7 @@ class Consensus {
   const Matches& matches_;
   const core::CameraModel& camera_;
   std::vector<std::size_t> cells_;
+  std::vector<double> says_;
 };
 
 cv::Matx33d cameraMatrix(const core::CameraModel& camera) {
@@ -123,12 +136,11 @@ void appendPoint(const PointMatch& match, std::vector<cv::Point3d>& points_a, st
   pixels_b.emplace_back(match.b_px.x(), match.b_px.y());
 }
 
-/// Draws matches with a probability that goes with their weight.
+/// Draws indices with a probability that goes with their weight.
 class WeightedDraw {
  public:
-  explicit WeightedDraw(const Matches& matches) {
-    double sum = 0;
-    for (const PointMatch& match : matches) sums_.push_back(sum += match.weight);
+  explicit WeightedDraw(const std::vector<double>& weights) {
+    std::partial_sum(weights.begin(), weights.end(), std::back_inserter(sums_));
   }
   [[nodiscard]] std::size_t operator()(cv::RNG& random) const {
     const double at = random.uniform(0.0, sums_.back());
@@ -181,9 +193,9 @@ int drawsNeeded(double staticShare) {
   return std::min(kMaxDraws, static_cast<int>(std::ceil(std::log(1e-3) / std::log(1.0 - allStatic))));
 }
 
-/// The motion most of these matches agree with.
+/// The motion most of these matches agree with; when fewer than `minShare` do, it need not be found.
 Eigen::Isometry3d search(const Matches& matches, const core::CameraModel& camera,
-                         const std::vector<Eigen::Isometry3d>& guesses) {
+                         const std::vector<Eigen::Isometry3d>& guesses, double minShare) {
   const Consensus consensus(matches, camera);
   const cv::Matx33d K = cameraMatrix(camera);
   Eigen::Isometry3d T_b_a = guesses.empty() ? Eigen::Isometry3d::Identity() : guesses.front();
@@ -201,15 +213,34 @@ Eigen::Isometry3d search(const Matches& matches, const core::CameraModel& camera
 
   for (const Eigen::Isometry3d& guess : guesses) consider(guess);
   polish();
-  const WeightedDraw draw(matches);
+  const auto draws = [&] { return drawsNeeded(std::max(minShare, consensus.share(T_b_a))); };
+  const WeightedDraw draw(consensus.says());
   cv::RNG random(0x5eed);
-  for (int drawn = 0, needed = drawsNeeded(consensus.share(T_b_a)); drawn < needed; ++drawn) {
+  for (int drawn = 0, needed = draws(); drawn < needed; ++drawn) {
     for (const Eigen::Isometry3d& candidate : motionsOfThree(matches, draw, random, K)) consider(candidate);
-    needed = drawsNeeded(consensus.share(T_b_a));
+    needed = draws();
   }
   polish();
   polish();
   return T_b_a;
+}
+
+Matches knownToRest(const Matches& matches) {
+  Matches known;
+  std::copy_if(matches.begin(), matches.end(), std::back_inserter(known),
+               [](const PointMatch& match) { return match.weight > kBelieved; });
+  return known;
+}
+
+/// Whether the images may be blurred by motion, so that the noise expected is more than that of sharp ones.
+bool isFast(const Matches& matches) {
+  return 2 * std::count_if(matches.begin(), matches.end(), [](const auto& m) { return m.sigma_px > 1.5 * kSharp_px; }) >
+         static_cast<std::ptrdiff_t>(matches.size());
+}
+
+Matches asIfSharp(Matches matches) {
+  for (PointMatch& match : matches) match.sigma_px = std::min(match.sigma_px, kSharp_px);
+  return matches;
 }
 
 }  // namespace
@@ -231,27 +262,31 @@ double squaredError(const PointMatch& match, const Eigen::Isometry3d& T_b_a, con
 
 CameraMotion CameraMotionEstimator::estimate(const Matches& matches, const core::CameraModel& camera,
                                              const std::vector<Eigen::Isometry3d>& guesses) const {
-  Matches believed;
-  std::copy_if(matches.begin(), matches.end(), std::back_inserter(believed),
-               [](const PointMatch& match) { return match.weight > kBelieved; });
-  const CameraMotion ofBelieved = estimateFrom(believed, camera, guesses, kMajority);
-  if (ofBelieved.isTrusted) return ofBelieved;
-  CameraMotion ofAll = estimateFrom(matches, camera, guesses, 0.0);
-  const Consensus consensus(matches, camera);
-  if (consensus.meanWeight(consensus.inliers(ofAll.T_b_a)) < kCredible) ofAll.isTrusted = false;
-  return ofAll;
+  const Matches known = knownToRest(matches);
+  CameraMotion motion;
+  for (const Matches* asked : {&known, &matches}) {
+    if (isFast(*asked)) {
+      motion = estimateFrom(asIfSharp(*asked), camera, guesses, kMajority);
+      motion.noiseScale = Consensus(*asked, camera).noiseScale(motion.T_b_a);
+      if (motion.isTrusted) return motion;
+    }
+    motion = estimateFrom(*asked, camera, guesses, asked == &known ? kMajority : 0.0);
+    if (motion.isTrusted) return motion;
+  }
+  return motion;
 }
 
 CameraMotion CameraMotionEstimator::estimateFrom(const Matches& matches, const core::CameraModel& camera,
                                                  const std::vector<Eigen::Isometry3d>& guesses, double minShare) const {
   CameraMotion motion;
   if (matches.size() < kMinMatches) return motion;
-  motion.T_b_a = search(matches, camera, guesses);
+  motion.T_b_a = search(matches, camera, guesses, minShare);
   const Consensus consensus(matches, camera);
   const auto inliers = consensus.inliers(motion.T_b_a);
   motion.noiseScale = consensus.noiseScale(motion.T_b_a);
   motion.isTrusted = static_cast<int>(inliers.size()) >= options_.min_points &&
-                     consensus.spread(inliers) >= options_.min_spread && consensus.share(motion.T_b_a) >= minShare;
+                     consensus.spread(inliers) >= options_.min_spread && consensus.share(motion.T_b_a) >= minShare &&
+                     consensus.meanWeight(inliers) >= kCredible;
   return motion;
 }
 

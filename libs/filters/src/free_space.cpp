@@ -38,14 +38,15 @@ cv::Mat raysOf(const cv::Size& size, const core::CameraModel& camera) {
 
 }  // namespace
 
-SpaceView::SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera)
+SpaceView::SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera, const SpaceView* before)
     : camera_(camera), depth_m_(sampled(depth_m)) {
   const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
   cv::Mat filled = depth_m_.clone();
   filled.setTo(kNoDepth, depth_m_ <= 0);
   cv::erode(filled, nearest_m_, around);
   cv::dilate(depth_m_, farthest_m_, around);
-  rays_ = raysOf(depth_m_.size(), camera);
+  const bool isSameCamera = before != nullptr && before->size() == size() && before->camera_ == camera;
+  rays_ = isSameCamera ? before->rays_ : raysOf(size(), camera);
 }
 
 cv::Mat SpaceView::compareWith(const SpaceView& past, const Eigen::Isometry3d& T_past_this, double margin) const {

@@ -3,6 +3,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 #include "wardslam/core/annotation.h"
 
@@ -17,6 +18,17 @@ bool isDynamic(const core::Keypoint& keypoint) { return keypoint.motion == core:
 bool isIn(const cv::Mat& mask, const cv::Point2f& raw_px) {
   return mask.at<std::uint8_t>(std::clamp(cvRound(raw_px.y), 0, mask.rows - 1),
                                std::clamp(cvRound(raw_px.x), 0, mask.cols - 1)) != 0;
+}
+
+/// Where earlier filters marked key points; empty where they marked none.
+cv::Mat markedPlaces(const core::Frame& frame) {
+  cv::Mat places;
+  for (const core::Keypoint& keypoint : frame.features.keypoints) {
+    if (!isDynamic(keypoint)) continue;
+    if (places.empty()) places = cv::Mat(frame.gray.size(), CV_8UC1, cv::Scalar(0));
+    cv::circle(places, keypoint.raw_px, 0, 255, cv::FILLED);
+  }
+  return places;
 }
 
 /// Adds to what earlier filters wrote.
@@ -40,8 +52,8 @@ void GeometricMotionFilter::initialize(const core::ConfigNode& parameters, const
 }
 
 void GeometricMotionFilter::apply(core::Frame& frame) {
-  motion_->update(frame);
-  if (!motion_->isTrusted()) ++frame.events["filters.motion_unknown"];
+  motion_->update(frame, markedPlaces(frame));
+  if (motion_->isAtLoss()) ++frame.events["filters.motion_unknown"];
   const cv::Mat moving = movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
   motion_->distrust(moving);
 

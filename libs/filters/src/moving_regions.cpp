@@ -8,6 +8,7 @@ namespace wardslam::filters {
 namespace {
 
 constexpr int kCell_px = 2 * SpaceView::kStep_px;
+constexpr double kRests = -0.5;  // log-odds below which a point counts as seen at rest
 
 /// Nearest of the depths in a cell: at an edge the thing in front is what may move.
 cv::Mat cellDepth(const cv::Mat& depth_m) {
@@ -33,10 +34,17 @@ cv::Mat cellsThatAre(Space kind, const cv::Mat& space, const cv::Size& cells) {
   return is >= 128;
 }
 
+/// Removes what is narrower than two pixels. (cv::MORPH_OPEN with an even kernel would move what stays by a pixel.)
+void openByPairs(cv::Mat& mask) {
+  const cv::Mat pair = cv::getStructuringElement(cv::MORPH_RECT, {2, 2});
+  cv::erode(mask, mask, pair, {1, 1});
+  cv::dilate(mask, mask, pair, {0, 0});
+}
+
 /// Surfaces that came, as cells: connected pieces of at least the area asked for.
 cv::Mat appearedCells(const SceneMotion& motion, const cv::Mat& depth_m, double cellWidth, double minArea_m2) {
   cv::Mat appeared = motion.space() == static_cast<int>(Space::Appeared);
-  cv::morphologyEx(appeared, appeared, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
+  openByPairs(appeared);
   cv::Mat cells;
   cv::resize(appeared, cells, depth_m.size(), 0, 0, cv::INTER_AREA);
   cells = cells >= 128;
@@ -72,7 +80,7 @@ std::vector<PlacedTrack> placedTracks(const SceneMotion& motion, const core::Cam
   for (const Track& track : motion.tracks()) {
     const cv::Point cell = cellOf(track.raw_px, depth_m.size());
     const Sighting& last = track.sightings.back();
-    const double depth = last.hasDepth() ? last.depth_m : static_cast<double>(depth_m.at<float>(cell));
+    const double depth = last.hasDepth() ? last.depth.clear_m : static_cast<double>(depth_m.at<float>(cell));
     if (depth > 0) placed.push_back({cell, camera.unproject(last.undistorted_px, depth), track.logOdds});
   }
   return placed;
@@ -111,7 +119,7 @@ std::vector<Seed> seedsOf(const std::vector<PlacedTrack>& tracks, const cv::Mat&
     if (logOdds > options.strict_log_odds && track.logOdds > 0 && (hasCome || moving >= kWitnesses)) {
       seeds.push_back({track.cell, true});
     }
-    if (logOdds < -0.5 && !hasCome) seeds.push_back({track.cell, false});
+    if (logOdds < kRests && !hasCome) seeds.push_back({track.cell, false});
   }
   for (int row = 0; row < appeared.rows; ++row) {
     for (int column = 0; column < appeared.cols; ++column) {
@@ -123,6 +131,15 @@ std::vector<Seed> seedsOf(const std::vector<PlacedTrack>& tracks, const cv::Mat&
   return seeds;
 }
 
+/// Growth fills holes in the depth; what was seen at rest in them, out of the sensor's range mostly, is no part of the
+/// mover.
+void giveBackHoles(cv::Mat& moves, const SceneMotion& motion, const cv::Mat& depth_m) {
+  for (const Track& track : motion.tracks()) {
+    const cv::Point cell = cellOf(track.raw_px, depth_m.size());
+    if (track.logOdds < kRests && depth_m.at<float>(cell) <= 0) moves.at<std::uint8_t>(cell) = 0;
+  }
+}
+
 }  // namespace
 
 cv::Mat movingRegions(const SceneMotion& motion, const core::CameraModel& camera, const cv::Size& imageSize,
@@ -132,7 +149,8 @@ cv::Mat movingRegions(const SceneMotion& motion, const core::CameraModel& camera
   const cv::Mat appeared = appearedCells(motion, depth_m, cellWidth, options.min_area_m2);
   const cv::Mat same = cellsThatAre(Space::Same, motion.space(), depth_m.size());
   const auto tracks = placedTracks(motion, camera, depth_m);
-  const cv::Mat moves = growRegions(depth_m, cellWidth, seedsOf(tracks, appeared, same, options), options.growth);
+  cv::Mat moves = growRegions(depth_m, cellWidth, seedsOf(tracks, appeared, same, options), options.growth);
+  giveBackHoles(moves, motion, depth_m);
   cv::Mat regions;
   cv::resize(moves, regions, imageSize, 0, 0, cv::INTER_NEAREST);
   for (const Track& track : motion.tracks()) {

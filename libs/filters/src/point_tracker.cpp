@@ -10,7 +10,6 @@ namespace wardslam::filters {
 namespace {
 
 const cv::Size kWindow_px(9, 9);  // of the half-size image
-constexpr int kReach_px = 8;      // of the window around a point, in the full image
 constexpr int kLevels = 3;
 constexpr int kNewApart_px = 10;  // from others, when a track starts
 constexpr int kApart_px = 3;      // of two that come closer, one has slid
@@ -78,18 +77,39 @@ bool slidOff(const Track& track) {
   constexpr double kFastest_m = 0.12;  // per image
   const auto& [before, now] = std::pair(*(track.sightings.end() - 2), track.sightings.back());
   if (!before.hasDepth() || !now.hasDepth()) return false;
-  return std::abs(now.depth_m - before.depth_m) > kFastest_m + 6 * core::kinectDepthSigma_m(now.depth_m);
+  return std::abs(now.depth.clear_m - before.depth.clear_m) >
+         kFastest_m + 6 * core::kinectDepthSigma_m(now.depth.clear_m);
 }
 
 void append(Track& track, const core::Frame& frame, std::uint64_t frameNumber, const cv::Point2f& undistorted_px) {
   Sighting sighting;
   sighting.frame = frameNumber;
   sighting.undistorted_px = {static_cast<double>(undistorted_px.x), static_cast<double>(undistorted_px.y)};
-  sighting.depth_m = clearDepthAt(frame.depth_m, track.raw_px);
+  sighting.depth = depthAround(frame.depth_m, track.raw_px);
   if (!track.sightings.empty()) {
     sighting.moved_px = (sighting.undistorted_px - track.sightings.back().undistorted_px).norm();
   }
   track.sightings.push_back(sighting);
+}
+
+/// Key points to start at: the strongest of each cell of the image, then the second strongest of each, and so on, so
+/// that no part of it goes unwatched.
+std::vector<const core::Keypoint*> bestOfEachCell(const core::Frame& frame) {
+  constexpr int kCell_px = 80;
+  std::vector<const core::Keypoint*> candidates;
+  for (const core::Keypoint& keypoint : frame.features.keypoints) {
+    if (isInside(keypoint.raw_px, frame.gray.size())) candidates.push_back(&keypoint);
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto* a, const auto* b) { return a->response > b->response; });
+  cv::Mat taken(frame.gray.size() / kCell_px + cv::Size(1, 1), CV_32SC1, cv::Scalar(0));
+  std::vector<std::pair<int, const core::Keypoint*>> ranked;
+  for (const auto* keypoint : candidates) {
+    ranked.emplace_back(taken.at<int>(cv::Point(keypoint->raw_px) / kCell_px)++, keypoint);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::transform(ranked.begin(), ranked.end(), candidates.begin(), [](const auto& r) { return r.second; });
+  return candidates;
 }
 
 }  // namespace
@@ -99,23 +119,28 @@ const Sighting* Track::at(std::uint64_t frame) const {
   return &sightings[static_cast<std::size_t>(frame - sightings.front().frame)];
 }
 
-double clearDepthAt(const cv::Mat& depth_m, const cv::Point2f& raw_px) {
+DepthAround depthAround(const cv::Mat& depth_m, const cv::Point2f& raw_px) {
+  constexpr int kReach_px = PointTracker::kReach_px;
+  constexpr int kStep_px = 2;
   const cv::Point centre(cvRound(raw_px.x), cvRound(raw_px.y));
   const cv::Rect inner(kReach_px, kReach_px, depth_m.cols - 2 * kReach_px, depth_m.rows - 2 * kReach_px);
-  if (!inner.contains(centre)) return 0.0;
-  const float depth = depth_m.at<float>(centre);
-  if (depth <= 0) return 0.0;
-  const double z = static_cast<double>(depth);
-  constexpr int kStep_px = 2;
+  if (!inner.contains(centre)) return {};
+  const auto z = static_cast<double>(depth_m.at<float>(centre));
+  bool isClear = z > 0;
+  DepthAround around;
   for (int dy = -kReach_px; dy <= kReach_px; dy += kStep_px) {
     for (int dx = -kReach_px; dx <= kReach_px; dx += kStep_px) {
-      const float other = depth_m.at<float>(centre + cv::Point(dx, dy));
+      const auto other = static_cast<double>(depth_m.at<float>(centre + cv::Point(dx, dy)));
+      if (other <= 0) continue;
+      around.nearest_m = around.nearest_m > 0 ? std::min(around.nearest_m, other) : other;
+      around.farthest_m = std::max(around.farthest_m, other);
       // A slanted surface changes with the distance; an edge does at once.
       const double jump_m = 0.02 + 0.004 * z * std::hypot(dx, dy) + 4 * core::kinectDepthSigma_m(z);
-      if (other > 0 && std::abs(static_cast<double>(other) - z) > jump_m) return 0.0;
+      if (std::abs(other - z) > jump_m) isClear = false;
     }
   }
-  return z;
+  if (isClear) around.clear_m = z;
+  return around;
 }
 
 void PointTracker::follow(const core::Frame& frame, std::uint64_t frameNumber,
@@ -157,13 +182,7 @@ void PointTracker::start(const core::Frame& frame, std::uint64_t frameNumber) {
   Occupancy occupancy(frame.gray.size());
   for (const Track& track : tracks_) static_cast<void>(occupancy.take(track.raw_px, kNewApart_px));
 
-  std::vector<const core::Keypoint*> candidates;
-  for (const core::Keypoint& keypoint : frame.features.keypoints) {
-    if (isInside(keypoint.raw_px, frame.gray.size())) candidates.push_back(&keypoint);
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto* a, const auto* b) { return a->response > b->response; });
-  for (const core::Keypoint* keypoint : candidates) {
+  for (const core::Keypoint* keypoint : bestOfEachCell(frame)) {
     if (tracks_.size() >= static_cast<std::size_t>(options_.points)) break;
     if (!occupancy.take(keypoint->raw_px, kNewApart_px)) continue;
     Track track;

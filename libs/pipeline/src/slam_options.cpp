@@ -12,7 +12,10 @@ std::string located(const std::string& name, const std::filesystem::path& referr
 }  // namespace
 
 core::ConfigNode SlamOptions::defaultFilters() {
-  return core::ConfigNode::fromText("[{class_name: 'wardslam::filters::SemanticDynamicFilter'}]", "<defaults>");
+  return core::ConfigNode::fromText(
+      "[{class_name: 'wardslam::filters::SemanticDynamicFilter'}, "
+      "{class_name: 'wardslam::filters::GeometricMotionFilter'}]",
+      "<defaults>");
 }
 
 core::ConfigNode SlamOptions::noFilters() { return core::ConfigNode::fromText("[]", "<defaults>"); }
@@ -25,6 +28,20 @@ bool SlamOptions::setFilterParameter(const std::string& className, const std::st
     isFound = true;
   }
   return isFound;
+}
+
+void SlamOptions::keepOnlyFilters(const std::string& className) {
+  if (!filters.yaml().IsSequence()) return;  // the chain will say what is wrong
+  YAML::Node kept(YAML::NodeType::Sequence);
+  for (const YAML::Node& filter : filters.yaml()) {
+    if (filter.IsMap() && filter["class_name"].as<std::string>("") == className) kept.push_back(filter);
+  }
+  if (kept.size() == 0) {
+    YAML::Node withDefaults;
+    withDefaults["class_name"] = className;
+    kept.push_back(withDefaults);
+  }
+  filters = core::ConfigNode(kept, filters.file(), filters.key());
 }
 
 SlamOptions readSlamOptions(const std::filesystem::path& file) {

@@ -49,7 +49,9 @@ inline constexpr double kChiSquare99 = 11.345;
 /// The motion of the static scene: of all rigid motions the one that most matches agree with, counting a match by its
 /// weight and no more than a few per cell of the image, so that one mover rich in texture does not outvote a background
 /// all around it. Candidates: `guesses` (constant velocity, …) and minimal sets drawn at random by weight. What is
-/// known to be static is asked first; the others have a say only when it no longer agrees with itself.
+/// known to be static is asked first; the others have a say only when it no longer agrees with itself. Fast motion may
+/// blur the images or may not: when most agree as if they were sharp, that is the answer, since to the wider noise of
+/// blurred ones a mover could seem to agree with the scene.
 class CameraMotionEstimator {
  public:
   explicit CameraMotionEstimator(const CameraMotionOptions& options) : options_(options) {}

@@ -21,8 +21,9 @@ class SpaceView {
   static constexpr int kStep_px = 4;
 
   SpaceView() = default;
-  /// `depth_m`: CV_32FC1, raw pixels, 0 = none.
-  SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera);
+  /// `depth_m`: CV_32FC1, raw pixels, 0 = none. What follows from the camera alone is shared with the view of the
+  /// image before, if it is given and of the same camera.
+  SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera, const SpaceView* before = nullptr);
 
   [[nodiscard]] cv::Size size() const { return depth_m_.size(); }
   [[nodiscard]] const cv::Mat& depth_m() const { return depth_m_; }  ///< CV_32FC1, of size().

@@ -10,14 +10,21 @@
 
 namespace wardslam::filters {
 
+/// Depth around a pixel (m); 0 = none.
+struct DepthAround {
+  double clear_m = 0.0;     ///< At the pixel, where nothing at another depth is near that could be meant instead.
+  double nearest_m = 0.0;   ///< Within the window that is followed.
+  double farthest_m = 0.0;  ///< The same.
+};
+
 /// Where a track was in one image.
 struct Sighting {
   std::uint64_t frame = 0;
   Eigen::Vector2d undistorted_px = Eigen::Vector2d::Zero();
-  double depth_m = 0.0;   ///< 0 = none, or at an edge, where it may belong to something else.
+  DepthAround depth;
   double moved_px = 0.0;  ///< Since the image before.
 
-  [[nodiscard]] bool hasDepth() const { return depth_m > 0.0; }
+  [[nodiscard]] bool hasDepth() const { return depth.clear_m > 0.0; }
 };
 
 /// A small patch of the scene, followed from image to image.
@@ -26,6 +33,7 @@ struct Track {
   std::deque<Sighting> sightings;  ///< In order of time, one per image; the newest belongs to raw_px.
   double logOdds = 0.0;            ///< ln (p / (1 − p)) that it moves against the static scene.
   bool isDistrusted = false;       ///< It started on something that moves.
+  bool isOnMover = false;          ///< It is on something known to move.
 
   /// In image `frame`; null when it was not followed so far back.
   [[nodiscard]] const Sighting* at(std::uint64_t frame) const;
@@ -44,6 +52,8 @@ struct PointTrackerOptions {
 /// new ones start at the key points of the frame where none are followed yet.
 class PointTracker {
  public:
+  static constexpr int kReach_px = 8;  ///< Of the patch around a point, in the full image.
+
   explicit PointTracker(const PointTrackerOptions& options) : options_(options) {}
 
   /// Follows into the next image, whose number is `frameNumber`. `predicted_px` (raw): where each of tracks() should
@@ -63,8 +73,7 @@ class PointTracker {
   std::vector<cv::Mat> pyramid_;  ///< Of the newest image.
 };
 
-/// Depth (m) at a raw pixel of CV_32FC1 `depth_m`; 0 where there is none or where the surroundings (5×5) jump, so that
-/// it may be that of the neighbour.
-[[nodiscard]] double clearDepthAt(const cv::Mat& depth_m, const cv::Point2f& raw_px);
+/// Of CV_32FC1 `depth_m` (m, 0 = none) around a raw pixel.
+[[nodiscard]] DepthAround depthAround(const cv::Mat& depth_m, const cv::Point2f& raw_px);
 
 }  // namespace wardslam::filters

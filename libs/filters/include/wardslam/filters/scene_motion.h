@@ -58,6 +58,9 @@ class SceneMotion {
   /// Whether the camera's motion to the image last given is known.
   [[nodiscard]] bool isTrusted() const { return isTrusted_; }
 
+  /// Whether it is unknown although there were earlier images to compare with.
+  [[nodiscard]] bool isAtLoss() const { return isCompared_ && !isTrusted_; }
+
  private:
   /// An image of the window.
   struct Moment {
@@ -67,9 +70,9 @@ class SceneMotion {
     SpaceView view;
   };
 
+  void markKnownMovers(const cv::Mat& knownMovers);
   [[nodiscard]] std::vector<cv::Point2f> predictTracks(const core::CameraModel& camera) const;
-  [[nodiscard]] std::vector<PointMatch> matchesSince(const Moment& past, const core::CameraModel& camera,
-                                                     std::vector<std::size_t>* indices = nullptr) const;
+  [[nodiscard]] std::vector<PointMatch> matchesSince(const Moment& past, const core::CameraModel& camera) const;
   void locate(Moment& now, const core::CameraModel& camera);
   void gatherEvidence(const Moment& now, const core::CameraModel& camera);
   void testTracks(const Moment& now, const Moment& past, const CameraMotion& motion, const core::CameraModel& camera,
@@ -85,6 +88,7 @@ class SceneMotion {
   cv::Mat space_;
   std::uint64_t number_ = 0;
   bool isTrusted_ = false;
+  bool isCompared_ = false;
 };
 
 /// Probability from log-odds.

@@ -49,12 +49,15 @@ struct SlamOptions {
 
   std::filesystem::path file;  ///< Where it was read from; empty for the defaults.
 
-  /// The semantic dynamic filter with its defaults.
+  /// The semantic dynamic filter and, behind it, the geometric motion filter, with their defaults.
   [[nodiscard]] static core::ConfigNode defaultFilters();
   [[nodiscard]] static core::ConfigNode noFilters();
 
   /// Overrules a parameter of the filters of this class, in `filters` itself. False: there is no such filter.
   [[nodiscard]] bool setFilterParameter(const std::string& className, const std::string& key, const std::string& value);
+
+  /// Leaves only the filters of this class, as configured; where there is none, one with its defaults.
+  void keepOnlyFilters(const std::string& className);
 
   /// Everything but the filters, whose parameters only they themselves know.
   template <class Self, class Visitor>

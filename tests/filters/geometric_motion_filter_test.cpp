@@ -1,0 +1,189 @@
+#include "wardslam/filters/geometric_motion_filter.h"
+
+#include <gmock/gmock.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include "filters/moving_scene.h"
+#include "wardslam/core/annotation.h"
+#include "wardslam/core/errors.h"
+#include "wardslam/filters/filter_chain.h"
+
+namespace wardslam::filters {
+namespace {
+
+using core::bitOf;
+using core::Motion;
+using core::PixelLabel;
+using test::kFrameTime_s;
+using test::Scene;
+using testing::HasSubstr;
+
+class GeometricMotionFilterTest : public testing::Test {
+ protected:
+  GeometricMotionFilterTest() { scene_.add(test::person()); }
+
+  void configure(const std::string& parameters) { filter_.initialize(core::ConfigNode::fromText(parameters), {}); }
+
+  /// The last of so many images of a person walking by, seen by a camera that turns.
+  core::Frame walk(double turn_rad_s = 0.0, double walk_m_s = 0.5, int images = 20) {
+    core::Frame frame;
+    for (int i = 0; i < images; ++i) {
+      const double stamp_s = i * kFrameTime_s;
+      frame = scene_.frame(stamp_s, test::looking({0, 0, 0}, turn_rad_s * (stamp_s - images * kFrameTime_s / 2)));
+      frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
+      frame.observation->hasRangeImage = true;
+      frame.observation->rangeImage_setSize(test::kHeight, test::kWidth);
+      if (prepare_) prepare_(frame);
+      filter_.begin(frame);
+      filter_.apply(frame);
+      filter_.end(frame, std::nullopt);
+      scene_.board(0).p_map_m.x() += walk_m_s * kFrameTime_s;
+    }
+    return frame;
+  }
+
+  Scene scene_;
+  GeometricMotionFilter filter_;
+  std::function<void(core::Frame&)> prepare_;
+};
+
+/// Shares of the key points marked, on the person (less than 2 m away) and beside him.
+std::pair<double, double> markedShares(const core::Frame& frame) {
+  int counts[2][2] = {{0, 0}, {0, 0}};
+  for (const auto& keypoint : frame.features.keypoints) {
+    ++counts[keypoint.depth_m < 2.0F][keypoint.motion == Motion::Dynamic];
+  }
+  return {double(counts[1][1]) / (counts[1][0] + counts[1][1]), double(counts[0][1]) / (counts[0][0] + counts[0][1])};
+}
+
+TEST_F(GeometricMotionFilterTest, MarksWhoWalksByWithoutMasks) {
+  configure("{}");
+  const core::Frame frame = walk();
+  const auto [onPerson, beside] = markedShares(frame);
+  EXPECT_GT(onPerson, 0.9);
+  EXPECT_LT(beside, 0.05);
+  EXPECT_EQ(frame.events.count("filters.motion_unknown"), 0U);
+}
+
+constexpr double kFast_rad_s = 1.5;  // 86 degrees a second: the image moves by 27 px from one to the next
+
+TEST_F(GeometricMotionFilterTest, AFastTurnEatsNothingOfTheScene) {
+  configure("{}");
+  const auto [onPerson, beside] = markedShares(walk(kFast_rad_s, 0.0, 14));
+  EXPECT_LT(onPerson, 0.01) << "who stands still";
+  EXPECT_LT(beside, 0.01);
+}
+
+TEST_F(GeometricMotionFilterTest, MarksWhoWalksByWhileTheCameraTurnsFast) {
+  configure("{}");
+  const auto [onPerson, beside] = markedShares(walk(kFast_rad_s, 0.8, 14));
+  EXPECT_GT(onPerson, 0.8);
+  EXPECT_LT(beside, 0.05);
+}
+
+TEST_F(GeometricMotionFilterTest, TheFirstImageHasNothingToCompareWith) {
+  configure("{}");
+  const core::Frame frame = walk(0.0, 0.5, 1);
+  EXPECT_EQ(markedShares(frame), std::make_pair(0.0, 0.0));
+  EXPECT_TRUE(frame.events.empty()) << "which is no trouble";
+}
+
+TEST_F(GeometricMotionFilterTest, AnnotatesThePixels) {
+  configure("{}");
+  const core::Frame frame = walk();
+  const cv::Mat bits = core::annotationOf(*frame.observation);
+  const cv::Mat dynamic = (bits & bitOf(PixelLabel::Dynamic)) != 0;
+  const cv::Mat person = frame.depth_m < 2.0;
+  EXPECT_GT(cv::countNonZero(dynamic & person), 0.9 * cv::countNonZero(person));
+  EXPECT_EQ(frame.observation->confidenceImage.asCvMatRef().at<std::uint8_t>(240, 600), 255);
+}
+
+TEST_F(GeometricMotionFilterTest, AddsToWhatEarlierFiltersMarked) {
+  configure("{}");
+  prepare_ = [](core::Frame& frame) {
+    cv::Mat bits(test::kHeight, test::kWidth, CV_8UC1, cv::Scalar(0));
+    bits(cv::Rect(600, 0, 40, 480)).setTo(bitOf(PixelLabel::Person) | bitOf(PixelLabel::Dynamic));
+    core::annotate(*frame.observation, bits);
+    for (auto& keypoint : frame.features.keypoints) {
+      if (keypoint.raw_px.x >= 600) keypoint.motion = Motion::Dynamic;
+    }
+  };
+  const core::Frame frame = walk();
+  const cv::Mat bits = core::annotationOf(*frame.observation);
+  EXPECT_EQ(bits.at<std::uint8_t>(240, 620), bitOf(PixelLabel::Person) | bitOf(PixelLabel::Dynamic));
+  EXPECT_GT(cv::countNonZero(bits.colRange(0, 600)), 0) << "and the person found";
+  for (const auto& keypoint : frame.features.keypoints) {
+    if (keypoint.raw_px.x >= 600) {
+      EXPECT_EQ(keypoint.motion, Motion::Dynamic);
+    }
+  }
+}
+
+TEST_F(GeometricMotionFilterTest, DoesNotBelieveThatEverythingMoves) {
+  configure("{min_kept: 0.9}");  // the person alone covers more than a tenth
+  const core::Frame frame = walk();
+  EXPECT_EQ(markedShares(frame).first, 0.0);
+  EXPECT_EQ(frame.events.at("filters.motion_everywhere"), 1U);
+}
+
+TEST_F(GeometricMotionFilterTest, WorksWithoutAnObservationOrWithOneOfAnotherSize) {
+  configure("{}");
+  prepare_ = [](core::Frame& frame) { frame.observation = nullptr; };
+  EXPECT_GT(markedShares(walk()).first, 0.9);
+
+  scene_.board(0) = test::person();
+  GeometricMotionFilter().initialize({}, {});
+  prepare_ = [](core::Frame& frame) { frame.observation->rangeImage_setSize(10, 10); };
+  const core::Frame frame = walk();
+  EXPECT_EQ(frame.events.at("filters.annotation_size"), 1U);
+  EXPECT_FALSE(frame.observation->hasPixelLabels());
+}
+
+TEST_F(GeometricMotionFilterTest, AnnotatesOnlyWhenAsked) {
+  configure("{annotate: false}");
+  EXPECT_FALSE(walk().observation->hasPixelLabels());
+}
+
+TEST_F(GeometricMotionFilterTest, AFrameWithoutKeyPointsOrDepthIsNoTrouble) {
+  configure("{}");
+  prepare_ = [](core::Frame& frame) {
+    frame.features = {};
+    frame.depth_m.setTo(0);
+  };
+  EXPECT_EQ(walk().events.at("filters.motion_unknown"), 1U);
+}
+
+TEST(GeometricMotionFilterOptions, OutOfBoundsAreRefused) {
+  const auto complaint = [](const std::string& parameters) -> std::string {
+    try {
+      GeometricMotionFilter().initialize(core::ConfigNode::fromText(parameters, "my.yaml"), {});
+    } catch (const core::InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(complaint("points: 10"), testing::AllOf(HasSubstr("my.yaml:1"), HasSubstr("points")));
+  EXPECT_THAT(complaint("window: -1"), HasSubstr("window"));
+  EXPECT_THAT(complaint("window: long"), HasSubstr("window"));
+  EXPECT_THAT(complaint("reach: .nan"), HasSubstr("reach"));
+  EXPECT_THAT(complaint("min_kept: 2"), HasSubstr("min_kept"));
+  EXPECT_EQ(complaint("{points: 50, window: 2.0}"), "");
+}
+
+TEST(GeometricMotionFilterChain, IsMadeByName) {
+  const FilterChain chain(
+      core::ConfigNode::fromText("[{class_name: 'wardslam::filters::GeometricMotionFilter', params: {window: 0.3}}]"),
+      {});
+  EXPECT_THAT(chain.parameters(0), HasSubstr("window: 0.3"));
+  try {
+    const FilterChain wrong(
+        core::ConfigNode::fromText("[{class_name: 'wardslam::filters::GeometricMotionFilter', params: {windw: 1}}]"),
+        {});
+    FAIL() << "a misspelt key was taken";
+  } catch (const core::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean 'window'"));
+  }
+}
+
+}  // namespace
+}  // namespace wardslam::filters
