@@ -77,6 +77,7 @@ TEST_F(MapFileTest, GivesBackTheSemanticMap) {
   for (const auto& [id, keyframe] : ward_.keyframes) {
     EXPECT_EQ(read.keyframes.at(id).stamp_s, keyframe.stamp_s);
     EXPECT_EQ(read.keyframes.at(id).zone, keyframe.zone);
+    EXPECT_EQ(read.keyframes.at(id).freeFan_cam_m, keyframe.freeFan_cam_m);
     EXPECT_TRUE(read.keyframes.at(id).T_map_cam.isApprox(keyframe.T_map_cam, 1e-12));
   }
   ASSERT_EQ(read.objects.size(), ward_.objects.size());
@@ -311,6 +312,7 @@ TEST_F(MapFileTest, CheckFindsWhatDoesNotFitTogether) {
       {"UPDATE keyframes SET x_m = 9e999 WHERE id = 2", "x_m is impossible"},
       {"UPDATE cloud_tiles SET points = zeroblob(20) WHERE keyframe = 2", "cloud tile of keyframe 2"},
       {"UPDATE views SET features = x'46' WHERE keyframe = 2", "features of keyframe 2"},
+      {"UPDATE free_fans SET points = x'5301' WHERE keyframe = 2", "free fan of keyframe 2"},
       {"UPDATE floor_plan SET cells = x'4701ff'", "floor plan 1"}};
   for (const auto& [sql, complaint] : damages) {
     writeWard();

@@ -67,6 +67,7 @@ inline mapping::SemanticMap makeWard() {
     keyframe.T_map_cam = Eigen::Translation3d(0.5 * static_cast<double>(id), 1.0, 1.2) *
                          Eigen::AngleAxisd(0.1 * static_cast<double>(id), Eigen::Vector3d(1, 2, 3).normalized());
     keyframe.zone = "clean zone";
+    keyframe.freeFan_cam_m = {{-1.0F, 0.0F, 3.0F}, {1.0F, 0.5F, 2.0F + static_cast<float>(id)}};
     auto& points = map.cloud[id].points;
     for (int i = 0; i < 50; ++i) {
       mapping::SemanticPoint point;

@@ -12,7 +12,7 @@ namespace wardslam::storage {
 
 using Bytes = std::vector<std::uint8_t>;
 
-enum class BlobKind : std::uint8_t { Features = 'F', CloudTile = 'C', FloorCells = 'G' };
+enum class BlobKind : std::uint8_t { Features = 'F', CloudTile = 'C', FloorCells = 'G', FreeFan = 'S' };
 
 /// A blob is not what it should be; says how, not where.
 class BlobError : public std::runtime_error {

@@ -12,6 +12,7 @@ using odometry::OrbDescriptor;
 constexpr std::uint8_t kFeaturesVersion = 1;
 constexpr std::uint8_t kTileVersion = 1;
 constexpr std::uint8_t kCellsVersion = 1;
+constexpr std::uint8_t kFanVersion = 1;
 
 /// Hands every field of a record, in the order of the layout, to `column`.
 template <class Column>
@@ -40,6 +41,13 @@ void forEachColumn(std::vector<SemanticPoint>& points, const Column& column) {
   column(points, [](SemanticPoint& p) -> std::uint16_t& { return p.sightings; });
 }
 constexpr std::size_t kPointSize = 3 * sizeof(float) + 4 + sizeof(mapping::ObjectId) + sizeof(std::uint16_t);
+
+template <class Column>
+void forEachColumn(std::vector<Eigen::Vector3f>& points, const Column& column) {
+  for (const Eigen::Index axis : {0, 1, 2}) {
+    column(points, [axis](Eigen::Vector3f& p) -> float& { return p[axis]; });
+  }
+}
 
 template <class Record>
 void putColumns(ByteWriter& out, std::vector<Record> records) {
@@ -92,6 +100,21 @@ mapping::SemanticCloudTile decodeTile(const Bytes& blob) {
   tile.points.resize(in.getCount(kPointSize));
   getColumns(in, tile.points);
   return tile;
+}
+
+Bytes encodeFan(const std::vector<Eigen::Vector3f>& fan_cam_m) {
+  ByteWriter out;
+  out.put(static_cast<std::uint32_t>(fan_cam_m.size()));
+  putColumns(out, fan_cam_m);
+  return pack(BlobKind::FreeFan, kFanVersion, out.bytes());
+}
+
+std::vector<Eigen::Vector3f> decodeFan(const Bytes& blob) {
+  const Bytes content = unpack(BlobKind::FreeFan, kFanVersion, blob);
+  ByteReader in(content);
+  std::vector<Eigen::Vector3f> fan_cam_m(in.getCount(3 * sizeof(float)));
+  getColumns(in, fan_cam_m);
+  return fan_cam_m;
 }
 
 Bytes encodeCells(const cv::Mat& cells) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "blob.h"
 #include "wardslam/core/keypoint.h"
@@ -15,6 +17,10 @@ namespace wardslam::storage {
 
 [[nodiscard]] Bytes encodeTile(const mapping::SemanticCloudTile& tile);
 [[nodiscard]] mapping::SemanticCloudTile decodeTile(const Bytes& blob);
+
+/// Points in a camera frame (m).
+[[nodiscard]] Bytes encodeFan(const std::vector<Eigen::Vector3f>& fan_cam_m);
+[[nodiscard]] std::vector<Eigen::Vector3f> decodeFan(const Bytes& blob);
 
 /// CV_8UC1.
 [[nodiscard]] Bytes encodeCells(const cv::Mat& cells);

@@ -37,6 +37,17 @@ void readKeyframes(SQLite::Database& database, mapping::SemanticMap& map) {
              });
 }
 
+void readFreeFans(SQLite::Database& database, mapping::SemanticMap& map) {
+  forEachRow(database, "free fan of keyframe", "SELECT keyframe, points FROM free_fans", [&map](ColumnReader row) {
+    odometry::KeyframeId keyframe = 0;
+    Bytes blob;
+    row >> keyframe >> blob;
+    const auto found = map.keyframes.find(keyframe);
+    if (found == map.keyframes.end()) throw BlobError("that keyframe is missing");
+    found->second.freeFan_cam_m = decodeFan(blob);
+  });
+}
+
 void readCloud(SQLite::Database& database, mapping::SemanticMap& map) {
   forEachRow(database, "cloud tile of keyframe", "SELECT keyframe, points FROM cloud_tiles ORDER BY keyframe",
              [&map](ColumnReader row) {
@@ -117,13 +128,13 @@ std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQL
   const auto cameras = readCameras(database);
   std::map<odometry::KeyframeId, odometry::Keyframe> views;
   forEachRow(database, "features of keyframe",
-             "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, submap, camera, features "
+             "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, camera, features "
              "FROM keyframes JOIN views ON keyframe = id",
              [&](ColumnReader row) {
                odometry::Keyframe view;
                std::uint32_t camera = 0;
                Bytes blob;
-               row >> view.id >> view.stamp_s >> view.T_map_cam >> view.submap >> camera >> blob;
+               row >> view.id >> view.stamp_s >> view.T_map_cam >> camera >> blob;
                if (cameras.count(camera) == 0) throw BlobError("its camera is missing");
                view.camera = cameras.at(camera);
                view.features = decodeFeatures(blob);
@@ -180,6 +191,7 @@ mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud) {
   mapping::SemanticMap map;
   map.labels = readHeader(database).labels;
   readKeyframes(database, map);
+  readFreeFans(database, map);
   if (cloud == CloudPart::Include) readCloud(database, map);
   readObjects(database, map);
   readZones(database, map);

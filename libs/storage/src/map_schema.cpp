@@ -17,13 +17,14 @@ CREATE TABLE keyframes (
   x_m REAL NOT NULL, y_m REAL NOT NULL, z_m REAL NOT NULL,
   qx REAL NOT NULL, qy REAL NOT NULL, qz REAL NOT NULL, qw REAL NOT NULL,
   zone TEXT NOT NULL);
+CREATE TABLE free_fans (keyframe INTEGER PRIMARY KEY REFERENCES keyframes, points BLOB NOT NULL);
 CREATE TABLE cameras (
   id INTEGER PRIMARY KEY, width_px INTEGER NOT NULL, height_px INTEGER NOT NULL,
   fx_px REAL NOT NULL, fy_px REAL NOT NULL, cx_px REAL NOT NULL, cy_px REAL NOT NULL,
   k1 REAL NOT NULL, k2 REAL NOT NULL, p1 REAL NOT NULL, p2 REAL NOT NULL, k3 REAL NOT NULL,
   UNIQUE (width_px, height_px, fx_px, fy_px, cx_px, cy_px, k1, k2, p1, p2, k3));
 CREATE TABLE views (
-  keyframe INTEGER PRIMARY KEY REFERENCES keyframes, submap INTEGER NOT NULL,
+  keyframe INTEGER PRIMARY KEY REFERENCES keyframes, stretch INTEGER NOT NULL,
   camera INTEGER NOT NULL REFERENCES cameras, features BLOB NOT NULL);
 CREATE TABLE edges (
   kind TEXT NOT NULL CHECK (kind IN ('odometry', 'loop')),

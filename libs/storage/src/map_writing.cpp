@@ -14,8 +14,12 @@ void writeKeyframes(SQLite::Database& database, const MapChanges& changes) {
                            "stamp_s = excluded.stamp_s, x_m = excluded.x_m, y_m = excluded.y_m, z_m = excluded.z_m, "
                            "qx = excluded.qx, qy = excluded.qy, qz = excluded.qz, qw = excluded.qw, "
                            "zone = excluded.zone");
+  SQLite::Statement fan(database,
+                        "INSERT INTO free_fans VALUES (?,?) ON CONFLICT (keyframe) DO UPDATE SET "
+                        "points = excluded.points WHERE points <> excluded.points");
   for (const auto& [id, keyframe] : changes.keyframes) {
     (ParameterBinder(upsert) << id << keyframe.stamp_s << keyframe.T_map_cam << keyframe.zone).run();
+    if (!keyframe.freeFan_cam_m.empty()) (ParameterBinder(fan) << id << encodeFan(keyframe.freeFan_cam_m)).run();
   }
 }
 
@@ -90,9 +94,9 @@ void writeEdge(SQLite::Database& database, const char* kind, const LoopEdge& edg
   (ParameterBinder(insert) << kind << edge.from << edge.to << edge.T_from_to).run();
 }
 
-bool isKnown(SQLite::Database& database, odometry::KeyframeId keyframe, std::uint32_t submap) {
-  SQLite::Statement find(database, "SELECT 1 FROM views WHERE keyframe = ? AND submap = ?");
-  ParameterBinder(find) << keyframe << submap;
+bool isKnown(SQLite::Database& database, odometry::KeyframeId keyframe, std::uint32_t stretch) {
+  SQLite::Statement find(database, "SELECT 1 FROM views WHERE keyframe = ? AND stretch = ?");
+  ParameterBinder(find) << keyframe << stretch;
   return find.executeStep();
 }
 

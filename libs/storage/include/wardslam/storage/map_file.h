@@ -85,7 +85,7 @@ class MapFile {
   [[nodiscard]] MapHeader header() const;
   [[nodiscard]] mapping::SemanticMap read(CloudPart cloud = CloudPart::Include) const;
 
-  /// What the keyframes saw, in order of their ids; sightings name points of readPoints().
+  /// What the keyframes saw, in order of their ids, all of submap 0; sightings name points of readPoints().
   [[nodiscard]] std::vector<odometry::Keyframe> readViews() const;
   [[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints() const;  ///< p_map_m
   [[nodiscard]] std::vector<LoopEdge> readLoops() const;
