@@ -11,7 +11,7 @@ readonly DEMO=demo
 readonly PACKAGES=(
   build-essential cmake ninja-build pkg-config
   libmrpt-dev libopencv-dev libceres-dev libeigen3-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libpcl-dev
-  libsqlitecpp-dev libzstd-dev # the map file
+  libsqlitecpp-dev libzstd-dev liboctomap-dev # the map file and its exports
   libcurl4-openssl-dev libssl-dev # wardslam models
   libegl1 libegl-mesa0 libgl1-mesa-dri # rawlog-synth renders without a display
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3

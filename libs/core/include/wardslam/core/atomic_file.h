@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 
 namespace wardslam::core {
@@ -23,6 +24,11 @@ class AtomicFile {
   std::filesystem::path partial_;
   std::ofstream stream_;
 };
+
+/// For libraries that write files themselves: `write` gets the name to write to, which is then renamed. Throws what it
+/// throws, and InputError when the file cannot be replaced.
+void replaceAtomically(const std::filesystem::path& file,
+                       const std::function<void(const std::filesystem::path& partial)>& write);
 
 /// Writes the whole text in one go.
 void writeFileAtomically(const std::filesystem::path& file, const std::string& text);
