@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "map_export_command.h"
 #include "map_report.h"
 #include "support/table.h"
 #include "wardslam/core/errors.h"
@@ -211,6 +212,7 @@ void addMapCommand(CLI::App& app) {
   addVerb(*command, "diff", "What moved, is gone or is new from FILE to OTHER, two maps of one place", diff, arguments)
       ->add_option("OTHER", arguments->other, "the later map (.wardmap), in the same map frame")
       ->required();
+  addMapExportCommand(*command);
   addVerb(*command, "check", "Whether the whole file can be read and holds together", check, arguments);
 }
 

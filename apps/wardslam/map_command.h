@@ -6,7 +6,7 @@ class App;
 
 namespace wardslam::apps {
 
-/// `wardslam map info|objects|nearest|at|zones|diff|check FILE`: what a saved map knows.
+/// `wardslam map info|objects|nearest|at|zones|diff|check|export FILE`: what a saved map knows.
 void addMapCommand(CLI::App& app);
 
 }  // namespace wardslam::apps

@@ -37,6 +37,17 @@ TEST_F(AtomicFileTest, OldContentStaysUntilCommit) {
   EXPECT_EQ(test::readText(file_), "new");
 }
 
+TEST_F(AtomicFileTest, OtherWritersGetThePartialName) {
+  replaceAtomically(file_, [&](const fs::path& partial) {
+    EXPECT_EQ(partial, partial_);
+    EXPECT_FALSE(fs::exists(file_));
+    folder_.write(partial.filename().string(), "all");
+  });
+  EXPECT_EQ(test::readText(file_), "all");
+  EXPECT_FALSE(fs::exists(partial_));
+  EXPECT_THROW(replaceAtomically(file_, [](const fs::path&) {}), InputError) << "nothing was written";
+}
+
 TEST_F(AtomicFileTest, WithoutCommitThePartialFileKeepsWhatWasWritten) {
   { AtomicFile(file_).stream() << "half"; }
   EXPECT_FALSE(fs::exists(file_));

@@ -1,5 +1,7 @@
 #include <octomap/OcTree.h>
 
+#include <ostream>
+
 #include "cloud_in_map.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
@@ -30,6 +32,15 @@ void occupyCloud(octomap::OcTree& tree, const mapping::SemanticMap& map) {
   });
 }
 
+/// As OcTree::writeBinary(), which cannot keep from talking to standard error.
+void writeBinary(octomap::OcTree& tree, std::ostream& out) {
+  tree.toMaxLikelihood();
+  tree.prune();
+  out << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
+      << "id " << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution() << "\ndata\n";
+  tree.writeBinaryData(out);
+}
+
 }  // namespace
 
 void exportOctomap(const mapping::SemanticMap& map, const std::filesystem::path& file, double resolution_m) {
@@ -42,8 +53,11 @@ void exportOctomap(const mapping::SemanticMap& map, const std::filesystem::path&
   occupyCloud(tree, map);
   tree.updateInnerOccupancy();
   core::AtomicFile out(file);
-  const bool isWritten = withProbabilities ? tree.write(out.stream()) : tree.writeBinary(out.stream());
-  if (!isWritten) throw core::InputError(file.string() + ": could not be written in full; is the disk full?");
+  if (withProbabilities) {
+    tree.write(out.stream());
+  } else {
+    writeBinary(tree, out.stream());
+  }
   out.commit();
 }
 

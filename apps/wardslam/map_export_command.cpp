@@ -1,0 +1,66 @@
+#include "map_export_command.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "support/program.h"
+#include "wardslam/storage/map_export.h"
+#include "wardslam/storage/map_file.h"
+
+namespace wardslam::apps {
+namespace {
+
+using Path = std::filesystem::path;
+using mapping::SemanticMap;
+
+struct Format {
+  const char* option;
+  const char* help;
+  void (*write)(const SemanticMap& map, const Path& file);
+};
+
+void exportOctomap(const SemanticMap& map, const Path& file) { storage::exportOctomap(map, file); }
+
+constexpr std::array<Format, 8> kFormats = {{
+    {"--ply", "the cloud: colour, class and instance of every point", storage::exportPly},
+    {"--pcd", "the cloud, for PCL: rgb, label, instance", storage::exportPcd},
+    {"--octomap", "occupied and free space: F.bt, or with probabilities F.ot", exportOctomap},
+    {"--scene", "cloud, boxes, zones and way, for SceneViewer3D: F.3Dscene", storage::exportScene},
+    {"--gridmap", "the floor plan for MRPT: F.gridmap", storage::exportGridmap},
+    {"--ros-map", "the floor plan for ROS map_server: F.yaml, with F.pgm beside it", storage::exportRosMap},
+    {"--geojson", "zones and objects as polygons, metres", storage::exportGeoJson},
+    {"--csv", "the objects, one per line", storage::exportCsv},
+}};
+
+struct ExportArguments {
+  Path map;
+  std::array<Path, kFormats.size()> files;
+};
+
+void exportAll(const ExportArguments& arguments) {
+  if (arguments.files == ExportArguments().files) throw UsageError("map export needs a format, such as --ply FILE");
+  const SemanticMap map = storage::MapFile::open(arguments.map).read();
+  for (std::size_t i = 0; i < kFormats.size(); ++i) {
+    if (arguments.files.at(i).empty()) continue;
+    kFormats.at(i).write(map, arguments.files.at(i));
+    std::cout << arguments.files.at(i).string() << "\n";
+  }
+}
+
+}  // namespace
+
+void addMapExportCommand(CLI::App& mapCommand) {
+  CLI::App* command = mapCommand.add_subcommand("export", "Write the map in formats other programs read");
+  const auto arguments = std::make_shared<ExportArguments>();
+  command->add_option("FILE", arguments->map, "a map (.wardmap)")->required();
+  for (std::size_t i = 0; i < kFormats.size(); ++i) {
+    command->add_option(kFormats.at(i).option, arguments->files.at(i), kFormats.at(i).help)->type_name("F");
+  }
+  command->callback([arguments] { exportAll(*arguments); });
+}
+
+}  // namespace wardslam::apps
