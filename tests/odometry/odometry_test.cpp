@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "odometry/synthetic_world.h"
 
@@ -221,6 +223,53 @@ TEST(State, HasAName) {
   EXPECT_EQ(toString(State::Initialising), "initialising");
   EXPECT_EQ(toString(State::Ok), "ok");
   EXPECT_EQ(toString(State::Lost), "lost");
+}
+
+/// Every key point is surrounded by the same cells.
+class Surroundings : public core::SignatureSource {
+ public:
+  explicit Surroundings(core::Signature cells) : cells_(std::move(cells)) {}
+  [[nodiscard]] core::Signature of(const core::Keypoint&) const override { return cells_; }
+
+ private:
+  core::Signature cells_;
+};
+
+class OdometrySignatures : public OdometryTest {
+ protected:
+  /// Follows two images, whose key points have these surroundings, with so much difference allowed.
+  OdometryResult trackTwo(double allowed, const core::Signature& before, const core::Signature& now) {
+    OdometryOptions asked = options();
+    asked.matcher.max_signature_difference = allowed;
+    odometry_ = Odometry(asked);
+    OdometryResult result;
+    for (const auto& [image, cells] : {std::pair(0, before), {1, now}}) {
+      auto features = world_.look(SyntheticWorld::T_world_cam(image, kImages), kNoise);
+      if (!cells.empty()) features.signatures = std::make_shared<Surroundings>(cells);
+      result = track(features);
+      EXPECT_TRUE(!result.keyframe || !result.keyframe->features.signatures) << "images would be kept alive";
+    }
+    return result;
+  }
+};
+
+TEST_F(OdometrySignatures, MatchesOfOtherSurroundingsAreOutliers) {
+  const core::Signature cells = {1, 1, 60, 0};
+  EXPECT_GT(trackTwo(0.25, cells, cells).matches, 200);
+  EXPECT_GT(trackTwo(0.25, cells, {1, 1, 60, 57}).matches, 200) << "one in four may differ";
+  const auto foreign = trackTwo(0.25, cells, {1, 1, 57, 57});
+  EXPECT_EQ(foreign.matches, 0);
+  EXPECT_EQ(foreign.state, State::Lost);
+}
+
+TEST_F(OdometrySignatures, AreAskedOnlyWhereWanted) {
+  EXPECT_EQ(OdometryOptions().matcher.max_signature_difference, 1.0);
+  EXPECT_GT(trackTwo(1.0, {1, 1}, {2, 2}).matches, 200);
+}
+
+TEST_F(OdometrySignatures, WhatHasNoneIsNotTested) {
+  EXPECT_GT(trackTwo(0.0, {}, {1}).matches, 200);
+  EXPECT_GT(trackTwo(0.0, {1}, {}).matches, 200);
 }
 
 }  // namespace

@@ -2,8 +2,16 @@
 
 namespace wardslam::core {
 
+std::optional<double> differenceOf(const Signature& a, const Signature& b) {
+  if (a.empty() || a.size() != b.size()) return std::nullopt;
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) different += a[i] != b[i] ? 1 : 0;
+  return static_cast<double>(different) / static_cast<double>(a.size());
+}
+
 Features selectStatic(const Features& features) {
   Features kept;
+  kept.signatures = features.signatures;
   kept.keypoints.reserve(features.size());
   kept.descriptors.reserve(features.size());
   for (std::size_t i = 0; i < features.size(); ++i) {

@@ -83,6 +83,12 @@ cv::Mat describeSemantics(const cv::Mat& classIds, const std::vector<core::Keypo
   return descriptors;
 }
 
+core::Signature SemanticSignatures::of(const core::Keypoint& keypoint) const {
+  core::Signature cells(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_));
+  PatchSampler(classIds_, n_).sample(keypoint, cells.data());
+  return cells;
+}
+
 int semanticDistance(const cv::Mat& a, const cv::Mat& b) {
   CV_Assert(a.type() == CV_8UC1 && b.type() == CV_8UC1 && a.size() == b.size());
   return cv::countNonZero(a != b);

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "wardslam/core/annotation.h"
+#include "wardslam/features/semantic_descriptor.h"
 #include "wardslam/filters/motion_annotation.h"
 #include "wardslam/knowledge/knowledge_graph.h"
 #include "wardslam/segmentation/async_segmenter.h"
@@ -84,6 +85,8 @@ void SemanticDynamicFilter::apply(core::Frame& frame) {
     ++frame.events["filters.no_segmentation"];
     return;
   }
+  frame.features.signatures =
+      std::make_shared<features::SemanticSignatures>(frame.segmentation.classIds, options_.test.n);
   cv::Mat movers;
   cv::LUT(frame.segmentation.classIds, movingIds_, movers);
   const bool hasInstances = !frame.segmentation.instanceIds.empty();

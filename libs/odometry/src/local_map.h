@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "wardslam/odometry/keyframe.h"
@@ -35,6 +36,8 @@ class LocalMap {
                const Eigen::Isometry3d& T_map_cam, std::uint64_t frame);
   void describe(PointId id, const core::Keypoint& keypoint, const OrbDescriptor& descriptor,
                 const Eigen::Isometry3d& T_map_cam);
+  /// Remembers what surrounds it.
+  void sign(PointId id, core::Signature signature) { points_.at(id).signature = std::move(signature); }
 
   void apply(const MapUpdate& update);
 

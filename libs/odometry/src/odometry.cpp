@@ -51,6 +51,7 @@ class Odometry::Tracker {
   };
 
   OdometryResult initialise(const View& view);
+  [[nodiscard]] core::Signature signatureOf(const core::Features& features, const core::Keypoint& keypoint) const;
   [[nodiscard]] Tracking find(const View& view) const;
   OdometryResult accept(const View& view, const Tracking& tracking);
   OdometryResult lose(const View& view, const Tracking& tracking);
@@ -76,6 +77,11 @@ class Odometry::Tracker {
   std::uint32_t submap_ = 0;
   int framesLost_ = 0;
 };
+
+core::Signature Odometry::Tracker::signatureOf(const core::Features& features, const core::Keypoint& keypoint) const {
+  const bool isAsked = features.signatures && options_.matcher.max_signature_difference < 1.0;
+  return isAsked ? features.signatures->of(keypoint) : core::Signature{};
+}
 
 OdometryResult Odometry::Tracker::initialise(const View& view) {
   const auto newPoints = newPointCandidates(view, {});
@@ -164,11 +170,13 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const View& vi
   for (const Match& match : tracking.inliers) {
     const auto& keypoint = view.features.keypoints[match.keypoint];
     map_.describe(match.point, keypoint, descriptorOf(view.features, match.keypoint), T_map_cam);
+    map_.sign(match.point, signatureOf(view.features, keypoint));
     keyframe->sightings.push_back({match.point, match.keypoint});
   }
   for (const std::size_t i : newPoints) {
     MapPoint point = makeMapPoint(view.features.keypoints[i], descriptorOf(view.features, i), view.camera, T_map_cam);
     point.lastSeenFrame = view.frame;
+    point.signature = signatureOf(view.features, view.features.keypoints[i]);
     const PointId id = map_.add(point);
     lastSeen_.push_back(id);
     keyframe->sightings.push_back({id, i});
@@ -180,6 +188,7 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const View& vi
   keyframe->T_map_cam = T_map_cam;
   if (!isFirst) keyframe->T_previous_cam = lastKeyframe_.T_map_cam.inverse() * T_map_cam;
   keyframe->features = view.features;
+  keyframe->features.signatures.reset();  // it may hold on to whole images
   map_.addKeyframe(keyframe->id, lastSeen_);
   map_.cull();
   lastKeyframe_ = {keyframe->id, view.frame, T_map_cam, 0};

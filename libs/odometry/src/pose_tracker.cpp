@@ -1,5 +1,7 @@
 #include "pose_tracker.h"
 
+#include <algorithm>
+
 namespace wardslam::odometry {
 
 Tracking PoseTracker::trackByMotion(const View& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
@@ -21,7 +23,7 @@ Tracking PoseTracker::trackNeighbourhood(const View& view, const LocalMap& map, 
 Tracking PoseTracker::relocalise(const View& view, const LocalMap& map) const {
   std::vector<DescribedPoint> points;
   for (const auto& [id, point] : map.points()) points.push_back({id, &point.descriptor});
-  const auto matches = matcher_.searchEverywhere(points, view.features);
+  const auto matches = alike(view, map, matcher_.searchEverywhere(points, view.features));
   const PoseEstimate pose = solver_.solve(observe(view, map, matches), view.camera);
   return estimate(view, map, matches, pose.T_cam_map);
 }
@@ -38,10 +40,23 @@ Tracking PoseTracker::search(const View& view, const LocalMap& map, const std::v
     projections.push_back(*projected);
     visible.push_back(id);
   }
-  const auto matches = matcher_.searchNear(projections, view.features, view.grid, radius_px);
+  const auto matches = alike(view, map, matcher_.searchNear(projections, view.features, view.grid, radius_px));
   Tracking tracking = estimate(view, map, matches, T_cam_map);
   tracking.visible = std::move(visible);
   return tracking;
+}
+
+std::vector<Match> PoseTracker::alike(const View& view, const LocalMap& map, std::vector<Match> matches) const {
+  const double limit = options_.matcher.max_signature_difference;
+  if (!view.features.signatures || limit >= 1.0) return matches;
+  const auto differs = [&](const Match& match) {
+    const core::Signature& known = map.find(match.point)->signature;
+    if (known.empty()) return false;
+    const core::Signature seen = view.features.signatures->of(view.features.keypoints[match.keypoint]);
+    return core::differenceOf(known, seen).value_or(0.0) > limit;
+  };
+  matches.erase(std::remove_if(matches.begin(), matches.end(), differs), matches.end());
+  return matches;
 }
 
 Tracking PoseTracker::estimate(const View& view, const LocalMap& map, const std::vector<Match>& matches,

@@ -51,6 +51,8 @@ class PoseTracker {
  private:
   [[nodiscard]] Tracking search(const View& view, const LocalMap& map, const std::vector<PointId>& points,
                                 const Eigen::Isometry3d& T_cam_map, double radius_px) const;
+  /// The matches whose surroundings are alike too (P6), as far as both are known.
+  [[nodiscard]] std::vector<Match> alike(const View& view, const LocalMap& map, std::vector<Match> matches) const;
   [[nodiscard]] Tracking estimate(const View& view, const LocalMap& map, const std::vector<Match>& matches,
                                   const Eigen::Isometry3d& T_cam_map) const;
   [[nodiscard]] std::vector<PointObservation> observe(const View& view, const LocalMap& map,

@@ -21,4 +21,18 @@ namespace wardslam::features {
 /// paper's own example and its use as an outlier test need the count of differing ones.
 [[nodiscard]] int semanticDistance(const cv::Mat& a, const cv::Mat& b);
 
+/// The descriptors of an image's key points, each read out of the class image only when somebody compares it: making
+/// this costs nothing, whatever n.
+class SemanticSignatures : public core::SignatureSource {
+ public:
+  /// `classIds`, `n`: as above. Keeps a reference to the image, which must not change any more.
+  SemanticSignatures(const cv::Mat& classIds, int n) : classIds_(classIds), n_(n) {}
+  /// The n² cells, row by row.
+  [[nodiscard]] core::Signature of(const core::Keypoint& keypoint) const override;
+
+ private:
+  cv::Mat classIds_;
+  int n_;
+};
+
 }  // namespace wardslam::features

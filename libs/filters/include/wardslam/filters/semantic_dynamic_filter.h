@@ -48,9 +48,9 @@ struct SemanticDynamicOptions {
 ///
 /// Needs a segmenter and a knowledge graph. Segmentation starts in begin(), beside the extraction of key points;
 /// apply() gets the masks from its MaskFeed (which waits for them, or carries older ones here), stores them in
-/// Frame::segmentation, sets Keypoint::motion and annotates Frame::observation. A frame without masks stays static and
-/// counts as "filters.no_segmentation". An observation whose range image is not of the size of the colour
-/// image is not annotated ("filters.annotation_size").
+/// Frame::segmentation, sets Keypoint::motion and Features::signatures (P4-P6), and annotates Frame::observation. A
+/// frame without masks stays static and counts as "filters.no_segmentation". An observation whose range image is not of
+/// the size of the colour image is not annotated ("filters.annotation_size").
 class SemanticDynamicFilter : public ObservationFilter {
   DEFINE_MRPT_OBJECT(SemanticDynamicFilter, wardslam::filters)
 
