@@ -70,32 +70,32 @@ void minimise(const std::vector<PointObservation>& observations, const std::vect
   ceres::Solve(options, &problem, &summary);
 }
 
+/// Minimises over the observations that `use` selects, then over those that fit.
+PoseEstimate refineFrom(PoseVector pose, std::vector<bool> use, const std::vector<PointObservation>& observations,
+                        const ErrorModel& model, int maxIterations) {
+  for (const bool robust : {true, true, false}) {
+    minimise(observations, use, robust, model, maxIterations, pose);
+    for (std::size_t i = 0; i < observations.size(); ++i) use[i] = model.isInlier(observations[i], pose);
+  }
+  const auto inliers = static_cast<int>(std::count(use.begin(), use.end(), true));
+  return {toIsometry(pose), std::move(use), inliers};
+}
+
 }  // namespace
 
 PoseEstimate PoseSolver::refine(const std::vector<PointObservation>& observations, const core::CameraModel& camera,
                                 const Eigen::Isometry3d& T_cam_map_guess) const {
-  PoseEstimate estimate;
-  estimate.T_cam_map = T_cam_map_guess;
-  estimate.isInlier.assign(observations.size(), false);
-  if (observations.size() < 3) return estimate;
-
+  if (observations.size() < 3) return {T_cam_map_guess, std::vector<bool>(observations.size(), false), 0};
   const ErrorModel model(options_, camera);
-  PoseVector pose = toPoseVector(T_cam_map_guess);
+  const PoseVector pose = toPoseVector(T_cam_map_guess);
   std::vector<bool> use;
   for (const auto& observation : observations) use.push_back(model.isInFront(observation, pose));
-  for (const bool robust : {true, true, false}) {
-    minimise(observations, use, robust, model, options_.max_iterations, pose);
-    for (std::size_t i = 0; i < observations.size(); ++i) use[i] = model.isInlier(observations[i], pose);
-  }
-  estimate.T_cam_map = toIsometry(pose);
-  estimate.isInlier = use;
-  estimate.inliers = static_cast<int>(std::count(use.begin(), use.end(), true));
-  return estimate;
+  return refineFrom(pose, std::move(use), observations, model, options_.max_iterations);
 }
 
 PoseEstimate PoseSolver::solve(const std::vector<PointObservation>& observations,
                                const core::CameraModel& camera) const {
-  constexpr int kIterations = 200;
+  constexpr int kIterations = 1000;
   constexpr float kInlierDistance_px = 5.0F;
   constexpr std::size_t kMinObservations = 6;
   PoseEstimate none;
@@ -111,8 +111,9 @@ PoseEstimate PoseSolver::solve(const std::vector<PointObservation>& observations
   const cv::Matx33d K(camera.fx_px, 0, camera.cx_px, 0, camera.fy_px, camera.cy_px, 0, 0, 1);
   cv::Vec3d rotation;
   cv::Vec3d translation;
+  std::vector<int> agreeing;
   if (!cv::solvePnPRansac(points_map, pixels, K, cv::noArray(), rotation, translation, false, kIterations,
-                          kInlierDistance_px, 0.99, cv::noArray(), cv::SOLVEPNP_P3P)) {
+                          kInlierDistance_px, 0.99, agreeing, cv::SOLVEPNP_P3P)) {
     return none;
   }
   PoseVector pose;
@@ -120,7 +121,14 @@ PoseEstimate PoseSolver::solve(const std::vector<PointObservation>& observations
     pose[i] = rotation[i];
     pose[3 + i] = translation[i];
   }
-  return refine(observations, camera, toIsometry(pose));
+  // Where most matches are wrong, they would pull the pose away together, robust loss or not.
+  const ErrorModel model(options_, camera);
+  std::vector<bool> use(observations.size(), false);
+  for (const int i : agreeing) {
+    const auto index = static_cast<std::size_t>(i);
+    use[index] = model.isInFront(observations[index], pose);
+  }
+  return refineFrom(pose, std::move(use), observations, model, options_.max_iterations);
 }
 
 }  // namespace wardslam::odometry
