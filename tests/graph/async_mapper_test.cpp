@@ -67,7 +67,8 @@ TEST(AsyncMapper, ThrowsWhatTheMapperThrew) {
   GraphOptions options;
   options.place_recognition.min_keyframe_gap = 1;
   test::SyntheticWalk walk({}, 400);
-  std::vector<std::shared_ptr<odometry::Keyframe>> keyframes{walk.step(), walk.step(), walk.step()};
+  std::vector<std::shared_ptr<odometry::Keyframe>> keyframes;
+  for (int i = 0; i < 8; ++i) keyframes.push_back(walk.step());
   keyframes[1]->features.descriptors =
       cv::Mat(static_cast<int>(keyframes[1]->features.size()), 64, CV_8UC1, cv::Scalar(0));  // not ORB's
   AsyncMapper async(makeMapper(options));

@@ -9,14 +9,6 @@ namespace {
 using odometry::Match;
 using odometry::PointObservation;
 
-std::vector<KeyframeId> placeAround(const KeyframeGraph& graph, KeyframeId keyframe, int neighbours) {
-  std::vector<KeyframeId> place{keyframe};
-  for (const auto& [id, shared] : graph.covisible(keyframe)) {
-    if (place.size() <= static_cast<std::size_t>(neighbours)) place.push_back(id);
-  }
-  return place;
-}
-
 std::set<PointId> pointsOf(const KeyframeGraph& graph, const std::vector<KeyframeId>& place) {
   std::set<PointId> points;
   for (const KeyframeId id : place) {
@@ -48,12 +40,55 @@ double pathLength_m(const KeyframeGraph& graph, KeyframeId from, KeyframeId to) 
   return length_m;
 }
 
+/// A keyframe of the place, how many of its points were found and how many should be in sight.
+struct Overlap {
+  KeyframeId keyframe = 0;
+  int found = 0;
+  int inSight = 0;
+};
+
+/// The keyframe most of whose points were found.
+Overlap largestOverlap(const KeyframeGraph& graph, const std::vector<KeyframeId>& place,
+                       const std::set<PointId>& inSight, const std::set<PointId>& found) {
+  Overlap largest;
+  for (const KeyframeId id : place) {
+    Overlap overlap{id, 0, 0};
+    for (const auto& [point, keypoint] : graph.keyframes().at(id).keypointOf) {
+      overlap.inSight += static_cast<int>(inSight.count(point));
+      overlap.found += static_cast<int>(found.count(point));
+    }
+    if (overlap.found > largest.found) largest = overlap;
+  }
+  return largest;
+}
+
+/// What the newer keyframe holds for one point, and the place for another.
+std::vector<std::pair<PointId, PointId>> samePoints(const KeyframeNode& newer, const std::vector<Match>& matches) {
+  std::map<std::size_t, PointId> seenAt;
+  for (const auto& [point, keypoint] : newer.keypointOf) seenAt[keypoint] = point;
+  std::vector<std::pair<PointId, PointId>> same;
+  for (const Match& match : matches) {
+    const auto seen = seenAt.find(match.keypoint);
+    if (seen != seenAt.end() && seen->second != match.point) same.emplace_back(seen->second, match.point);
+  }
+  return same;
+}
+
 }  // namespace
 
-std::optional<Loop> LoopVerification::verify(const KeyframeGraph& graph, KeyframeId newer, KeyframeId older) const {
-  const odometry::Keyframe& keyframe = *graph.keyframes().at(newer).keyframe;
-  Loop loop{older, newer, {}, 0, {}, placeAround(graph, older, options_.neighbours)};
-  const auto points = pointsOf(graph, loop.place);
+std::vector<KeyframeId> LoopVerification::placeAround(const KeyframeGraph& graph, KeyframeId keyframe) const {
+  std::vector<KeyframeId> place{keyframe};
+  for (const auto& [id, shared] : graph.covisible(keyframe)) {
+    if (place.size() <= static_cast<std::size_t>(options_.neighbours)) place.push_back(id);
+  }
+  return place;
+}
+
+std::optional<Loop> LoopVerification::verify(const KeyframeGraph& graph, KeyframeId newer,
+                                             const std::vector<KeyframeId>& place) const {
+  const KeyframeNode& node = graph.keyframes().at(newer);
+  const odometry::Keyframe& keyframe = *node.keyframe;
+  const auto points = pointsOf(graph, place);
 
   std::vector<odometry::DescribedPoint> described;
   for (const PointId id : points) described.push_back({id, &graph.points().at(id).point.descriptor});
@@ -62,28 +97,31 @@ std::optional<Loop> LoopVerification::verify(const KeyframeGraph& graph, Keyfram
   if (rough.inliers < options_.min_recognised) return std::nullopt;
 
   std::vector<odometry::ProjectedPoint> projections;
+  std::set<PointId> inSight;
   for (const PointId id : points) {
     const auto projected = project(id, graph.points().at(id).point, keyframe.camera, rough.T_cam_map);
-    if (projected) projections.push_back(*projected);
+    if (!projected) continue;
+    projections.push_back(*projected);
+    inSight.insert(id);
   }
   const odometry::KeypointGrid grid(keyframe.features.keypoints, keyframe.camera);
-  const auto found = matcher_.searchNear(projections, keyframe.features, grid, options_.search_radius_px);
-  const auto pose = solver_.refine(observationsOf(graph, found, keyframe), keyframe.camera, rough.T_cam_map);
-  const double foundFraction = pose.inliers / std::max(1.0, static_cast<double>(projections.size()));
-  if (pose.inliers < options_.min_inliers || foundFraction < options_.min_found_fraction) return std::nullopt;
-
-  loop.inliers = pose.inliers;
-  loop.T_older_newer = graph.keyframes().at(older).T_map_cam.inverse() * pose.T_cam_map.inverse();
-  if (!isPlausible(graph, loop)) return std::nullopt;
-
-  std::map<std::size_t, PointId> seenAt;
-  for (const auto& [point, keypoint] : graph.keyframes().at(newer).keypointOf) seenAt[keypoint] = point;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto seen = seenAt.find(found[i].keypoint);
-    if (!pose.isInlier[i] || seen == seenAt.end() || seen->second == found[i].point) continue;
-    loop.samePoints.emplace_back(seen->second, found[i].point);
+  const auto matches = matcher_.searchNear(projections, keyframe.features, grid, options_.search_radius_px);
+  const auto pose = solver_.refine(observationsOf(graph, matches, keyframe), keyframe.camera, rough.T_cam_map);
+  std::vector<Match> inliers;
+  std::set<PointId> found;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (!pose.isInlier[i]) continue;
+    inliers.push_back(matches[i]);
+    found.insert(matches[i].point);
   }
-  return loop;
+  const Overlap overlap = largestOverlap(graph, place, inSight, found);
+  if (pose.inliers < options_.min_inliers || overlap.found < options_.min_found_fraction * overlap.inSight)
+    return std::nullopt;
+
+  const Eigen::Isometry3d T_older_map = graph.keyframes().at(overlap.keyframe).T_map_cam.inverse();
+  Loop loop{overlap.keyframe,          newer, T_older_map * pose.T_cam_map.inverse(), pose.inliers,
+            samePoints(node, inliers), place};
+  return isPlausible(graph, loop) ? std::optional(loop) : std::nullopt;
 }
 
 bool LoopVerification::isPlausible(const KeyframeGraph& graph, const Loop& loop) const {

@@ -46,8 +46,9 @@ Mapper::Mapper(const GraphOptions& options, const odometry::OdometryOptions& odo
 void Mapper::restore(const SavedGraph& saved) {
   for (const auto& keyframe : saved.keyframes) {
     graph_.restore(keyframe, saved.p_map_m);
-    places_.add(*keyframe);
+    rememberPlace(keyframe->id);
   }
+  places_.build();
 }
 
 odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe,
@@ -58,8 +59,8 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
   cullPoints(keyframe->id, update);
   if (!options_.close_loops) return update;
 
+  rememberPlaces(keyframe->id);
   const auto loop = recognise(keyframe->id);
-  places_.add(*keyframe);
   if (!loop) return update;
   auto correction = close(*loop, stop);
   correction.removedPoints.insert(correction.removedPoints.end(), update.removedPoints.begin(),
@@ -91,12 +92,37 @@ void Mapper::adjustAll() {
   }
 }
 
+/// A place can be recognised some keyframes after it was left, or at once when tracking starts anew.
+void Mapper::rememberPlaces(KeyframeId newest) {
+  const auto submapOf = [this](KeyframeId id) { return graph_.keyframes().at(id).keyframe->submap; };
+  const bool startsAnew = !young_.empty() && submapOf(young_.back()) != submapOf(newest);
+  const auto gap = static_cast<std::size_t>(startsAnew ? 0 : options_.place_recognition.min_keyframe_gap);
+  while (young_.size() > gap) {
+    rememberPlace(young_.front());
+    young_.pop_front();
+  }
+  if (startsAnew) places_.build();
+  young_.push_back(newest);
+}
+
+/// By the looks of points that have lasted: what was seen once will hardly be seen again.
+void Mapper::rememberPlace(KeyframeId id) {
+  const KeyframeNode& node = graph_.keyframes().at(id);
+  cv::Mat descriptors;
+  for (const auto& [point, keypoint] : node.keypointOf)
+    descriptors.push_back(node.keyframe->features.descriptors.row(static_cast<int>(keypoint)));
+  places_.add(id, descriptors);
+}
+
 std::optional<Loop> Mapper::recognise(KeyframeId newest) const {
   std::set<KeyframeId> known{newest};
   for (const auto& [id, shared] : graph_.covisible(newest)) known.insert(id);
   const auto& features = graph_.keyframes().at(newest).keyframe->features;
   for (const KeyframeId candidate : places_.candidates(features, known)) {
-    if (auto loop = verification_.verify(graph_, newest, candidate)) return loop;
+    if (known.count(candidate) != 0) continue;
+    const auto place = verification_.placeAround(graph_, candidate);
+    if (auto loop = verification_.verify(graph_, newest, place)) return loop;
+    known.insert(place.begin(), place.end());
   }
   return std::nullopt;
 }

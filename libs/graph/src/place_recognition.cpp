@@ -18,7 +18,7 @@ constexpr int kNeighbours = 3;
 struct PlaceRecognition::Index {
   cv::Mat descriptors;
   std::vector<odometry::KeyframeId> keyframeOf;  ///< Per row.
-  std::unique_ptr<cv::flann::Index> search;      ///< Over the first rows only; rebuilt when many have come.
+  std::unique_ptr<cv::flann::Index> search;      ///< Over all rows; rebuilt now and then.
 };
 
 PlaceRecognition::PlaceRecognition(const PlaceRecognitionOptions& options)
@@ -26,23 +26,19 @@ PlaceRecognition::PlaceRecognition(const PlaceRecognitionOptions& options)
 PlaceRecognition::~PlaceRecognition() = default;
 PlaceRecognition::PlaceRecognition(PlaceRecognition&&) noexcept = default;
 
-void PlaceRecognition::add(const odometry::Keyframe& keyframe) {
-  if (keyframe.submap != submap_) extendIndex(0);
-  submap_ = keyframe.submap;
-  waiting_.emplace_back(keyframe.id, keyframe.features.descriptors);
-  const auto gap = static_cast<std::size_t>(options_.min_keyframe_gap);
-  if (waiting_.size() >= 2 * gap) extendIndex(gap);
+void PlaceRecognition::add(odometry::KeyframeId keyframe, const cv::Mat& descriptors) {
+  waiting_.emplace_back(keyframe, descriptors);
+  if (waiting_.size() > static_cast<std::size_t>(options_.min_keyframe_gap)) build();
 }
 
-/// Makes all but the youngest findable.
-void PlaceRecognition::extendIndex(std::size_t youngest) {
-  if (waiting_.size() <= youngest) return;
-  const auto end = waiting_.end() - static_cast<std::ptrdiff_t>(youngest);
-  for (auto it = waiting_.begin(); it != end; ++it) {
-    index_->descriptors.push_back(it->second);
-    index_->keyframeOf.insert(index_->keyframeOf.end(), static_cast<std::size_t>(it->second.rows), it->first);
+void PlaceRecognition::build() {
+  index_->search.reset();  // it looks into the rows, which may move when some are added
+  for (const auto& [keyframe, descriptors] : waiting_) {
+    index_->descriptors.push_back(descriptors);
+    index_->keyframeOf.insert(index_->keyframeOf.end(), static_cast<std::size_t>(descriptors.rows), keyframe);
   }
-  waiting_.erase(waiting_.begin(), end);
+  waiting_.clear();
+  if (index_->descriptors.empty()) return;
   index_->search = std::make_unique<cv::flann::Index>(
       index_->descriptors, cv::flann::LshIndexParams(kTables, kKeyBits, kProbes), cvflann::FLANN_DIST_HAMMING);
 }

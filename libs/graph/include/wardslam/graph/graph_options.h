@@ -46,7 +46,7 @@ struct LoopVerificationOptions {
   int min_recognised = 15;
   double search_radius_px = 8.0;
   int min_inliers = 50;
-  double min_found_fraction = 0.3;
+  double min_found_fraction = 0.12;
   double max_drift_fraction = 0.05;
   double min_drift_m = 0.3;
 
@@ -57,7 +57,8 @@ struct LoopVerificationOptions {
     visit("min_recognised", self.min_recognised, {6, 10000}, "count", "points that agree on a pose by looks alone");
     visit("search_radius_px", self.search_radius_px, {1.0, 100.0}, "px", "around where points of the place should be");
     visit("min_inliers", self.min_inliers, {6, 10000}, "count", "points of the place that must be found");
-    visit("min_found_fraction", self.min_found_fraction, {0.0, 1.0}, "", "of the points that should be in sight");
+    visit("min_found_fraction", self.min_found_fraction, {0.0, 1.0}, "",
+          "of an old keyframe's points that should be in sight; a thing that looks like another shows less");
     visit("max_drift_fraction", self.max_drift_fraction, {0.0, 1.0}, "",
           "of the path since then; a loop that asks for more correction is taken for a look-alike");
     visit("min_drift_m", self.min_drift_m, {0.0, 100.0}, "m", "correction that is always believed");

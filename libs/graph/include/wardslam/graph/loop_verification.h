@@ -19,7 +19,7 @@ struct Loop {
   Eigen::Isometry3d T_older_newer = Eigen::Isometry3d::Identity();
   int inliers = 0;
   std::vector<std::pair<PointId, PointId>> samePoints;  ///< Seen by the newer; what it is at the older place.
-  std::vector<KeyframeId> place;                        ///< Keyframes around the older one, itself first.
+  std::vector<KeyframeId> place;                        ///< Keyframes around, the older among them.
 };
 
 /// Decides whether a keyframe that looks like an old place is there: points of the place must be found where one pose
@@ -30,7 +30,12 @@ class LoopVerification {
                    const odometry::PoseSolverOptions& solver)
       : options_(options), matcher_(matcher), solver_(solver) {}
 
-  [[nodiscard]] std::optional<Loop> verify(const KeyframeGraph& graph, KeyframeId newer, KeyframeId older) const;
+  /// The keyframe and those that see most of the same: one place.
+  [[nodiscard]] std::vector<KeyframeId> placeAround(const KeyframeGraph& graph, KeyframeId keyframe) const;
+
+  /// The loop's older keyframe is the one of the place most of whose points are found.
+  [[nodiscard]] std::optional<Loop> verify(const KeyframeGraph& graph, KeyframeId newer,
+                                           const std::vector<KeyframeId>& place) const;
 
  private:
   [[nodiscard]] bool isPlausible(const KeyframeGraph& graph, const Loop& loop) const;

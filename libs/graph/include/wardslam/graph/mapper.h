@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "wardslam/graph/graph_options.h"
@@ -45,6 +46,8 @@ class Mapper {
 
  private:
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
+  void rememberPlaces(KeyframeId newest);
+  void rememberPlace(KeyframeId id);
   [[nodiscard]] std::optional<Loop> recognise(KeyframeId newest) const;
   odometry::MapUpdate close(const Loop& loop, const std::atomic<bool>* stop);
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
@@ -55,6 +58,7 @@ class Mapper {
   GraphOptions options_;
   KeyframeGraph graph_;
   std::multimap<KeyframeId, PointId> onProbation_;  ///< Points by the keyframe that made them.
+  std::deque<KeyframeId> young_;                    ///< Too young to be recognised.
   PlaceRecognition places_;
   LoopVerification verification_;
   std::vector<Loop> loops_;

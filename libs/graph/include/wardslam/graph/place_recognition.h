@@ -17,9 +17,10 @@ class PlaceRecognition {
   ~PlaceRecognition();
   PlaceRecognition(PlaceRecognition&&) noexcept;
 
-  /// Keyframes in order; one can be found once min_keyframe_gap others have followed it, or up to
-  /// twice as many: the index is rebuilt now and then. When another submap begins, all before it can be found.
-  void add(const odometry::Keyframe& keyframe);
+  /// `descriptors`: rows of 32 bytes (CV_8UC1), of what will be seen there again. It can be found once
+  /// min_keyframe_gap others have been added or build() was called.
+  void add(odometry::KeyframeId keyframe, const cv::Mat& descriptors);
+  void build();
 
   /// Keyframes, none of `excluded`, that share most looks with these features, likeliest first.
   [[nodiscard]] std::vector<odometry::KeyframeId> candidates(const core::Features& features,
@@ -28,11 +29,8 @@ class PlaceRecognition {
  private:
   struct Index;
 
-  void extendIndex(std::size_t youngest);
-
   PlaceRecognitionOptions options_;
-  std::vector<std::pair<odometry::KeyframeId, cv::Mat>> waiting_;  ///< Too young to be found.
-  std::uint32_t submap_ = 0;
+  std::vector<std::pair<odometry::KeyframeId, cv::Mat>> waiting_;  ///< Cannot be found yet.
   std::unique_ptr<Index> index_;
 };
 
