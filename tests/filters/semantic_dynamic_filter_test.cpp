@@ -236,6 +236,17 @@ TEST_F(ObservedRule, AChairThatStaysHelpsSoon) {
   EXPECT_THAT(motions(watch(25, 0.0)), testing::ElementsAre(Motion::Static, Motion::Static, Motion::Dynamic));
 }
 
+TEST_F(ObservedRule, WhatMightMoveWeighsLess) {
+  const auto helps = watch(25, 0.0).features.keypoints.front().staticProbability;
+  EXPECT_GT(helps, 0.7F);
+  EXPECT_LT(helps, 1.0F);
+  core::Frame frame = scene_.frame(time_s_);
+  frame.segmentation = {};
+  frame.features.keypoints = {keypointAt(1, 1)};
+  filter_.apply(frame);
+  EXPECT_EQ(frame.features.keypoints.front().staticProbability, 1.0F) << "the wall";
+}
+
 TEST_F(ObservedRule, AChairThatIsPushedGoesAsAWhole) {
   EXPECT_THAT(motions(watch(18, 0.4)), testing::ElementsAre(Motion::Dynamic, Motion::Dynamic, Motion::Dynamic));
 }

@@ -85,6 +85,21 @@ class PoseSolverTest : public ::testing::Test {
   std::mt19937 random_{11};
 };
 
+TEST_F(PoseSolverTest, WeighsPointsByHowSureTheyAreStatic) {
+  auto observations = observe(400, true);
+  for (std::size_t i = 0; i < observations.size(); i += 2) {  // half of them moved a little, together
+    observations[i].p_map_m += Eigen::Vector3d(0.006, 0.0, 0.0);
+  }
+  const auto error_m = [&] {
+    const auto T_cam_map = PoseSolver({}).refine(observations, camera_, guess()).T_cam_map;
+    return (T_cam_map.inverse().translation() - T_cam_map_.inverse().translation()).norm();
+  };
+  const double trusting_m = error_m();
+  EXPECT_GT(trusting_m, 0.002);
+  for (std::size_t i = 0; i < observations.size(); i += 2) observations[i].keypoint.staticProbability = 0.05F;
+  EXPECT_LT(error_m(), 0.4 * trusting_m);
+}
+
 TEST_F(PoseSolverTest, IsAsExactAsTheNoiseAllows) {
   for (const bool withDepth : {true, false}) {
     constexpr int kTrials = 40;

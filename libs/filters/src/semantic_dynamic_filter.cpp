@@ -40,9 +40,8 @@ cv::Rect boxAround(const core::Instance& instance, int margin_px, const cv::Size
   return cv::Rect(instance.box_px.tl() - margin, instance.box_px.br() + margin) & cv::Rect({}, size);
 }
 
-bool isSet(const cv::Mat& mask, const cv::Point2f& raw_px) {
-  return mask.at<std::uint8_t>(std::clamp(cvRound(raw_px.y), 0, mask.rows - 1),
-                               std::clamp(cvRound(raw_px.x), 0, mask.cols - 1)) != 0;
+cv::Point pixelOf(const cv::Point2f& raw_px, const cv::Size& size) {
+  return {std::clamp(cvRound(raw_px.x), 0, size.width - 1), std::clamp(cvRound(raw_px.y), 0, size.height - 1)};
 }
 
 void check(const SemanticDynamicOptions& options, const core::ConfigNode& parameters) {
@@ -105,19 +104,23 @@ void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat&
   const cv::Mat widened = setTestImage(frame.segmentation.classIds, movers);
   cv::Mat rests(movers.size(), CV_8UC1, cv::Scalar(0));
   cv::Mat moves = widened != 0;
-  for (const auto& [instance, prior, evidence, finding] : judge_->judge(frame, movers)) {
-    const cv::Rect box = boxAround(instance, options_.margin_px, movers.size());
+  cv::Mat staticProbability(movers.size(), CV_32FC1, cv::Scalar(1));
+  for (const Verdict& verdict : judge_->judge(frame, movers)) {
+    const cv::Rect box = boxAround(verdict.instance, options_.margin_px, movers.size());
     if (box.empty()) continue;
-    const cv::Mat whole = instanceIds(box) == instance.id;
-    if (finding == Verdict::Finding::Rests) rests(box) |= whole;
-    if (finding == Verdict::Finding::Moves) moves(box) |= widen(whole, options_.margin_px);
+    const cv::Mat whole = instanceIds(box) == verdict.instance.id;
+    if (verdict.finding == Verdict::Finding::Rests) rests(box) |= whole;
+    if (verdict.finding == Verdict::Finding::Moves) moves(box) |= widen(whole, options_.margin_px);
+    staticProbability(box).setTo(1.0 - verdict.probabilityOfMotion(), whole);
   }
   // What is only suspected, and things too small to be an instance, are left to the paper's rule.
   cv::Mat dynamic = test_->mask();
   dynamic.setTo(0, rests);
   dynamic |= moves;
   for (core::Keypoint& keypoint : frame.features.keypoints) {
-    if (isSet(dynamic, keypoint.raw_px)) keypoint.motion = core::Motion::Dynamic;
+    const cv::Point pixel = pixelOf(keypoint.raw_px, dynamic.size());
+    if (dynamic.at<std::uint8_t>(pixel) != 0) keypoint.motion = core::Motion::Dynamic;
+    keypoint.staticProbability = staticProbability.at<float>(pixel);
   }
   annotate(frame, dynamic);
 }

@@ -111,7 +111,8 @@ class AdjustmentProblem {
       cost = new ceres::AutoDiffCostFunction<ObservationError, 2, 6, 3>(functor);
     }
     auto* loss = new ceres::HuberLoss(std::sqrt(odometry::chiSquareOf(*edge.keypoint)));
-    problem.AddResidualBlock(cost, loss, poses_.at(edge.keyframe).data(), points_.at(edge.point).data());
+    problem.AddResidualBlock(cost, odometry::weightedLoss(loss, *edge.keypoint), poses_.at(edge.keyframe).data(),
+                             points_.at(edge.point).data());
   }
 
   const BundleAdjustmentOptions& options_;

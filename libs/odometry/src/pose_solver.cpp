@@ -57,8 +57,9 @@ void minimise(const std::vector<PointObservation>& observations, const std::vect
   ceres::Problem problem;
   for (std::size_t i = 0; i < observations.size(); ++i) {
     if (!use[i]) continue;
-    auto* loss = robust ? new ceres::HuberLoss(std::sqrt(chiSquareOf(observations[i].keypoint))) : nullptr;
-    problem.AddResidualBlock(model.cost(observations[i]), loss, pose.data());
+    const core::Keypoint& keypoint = observations[i].keypoint;
+    auto* loss = robust ? new ceres::HuberLoss(std::sqrt(chiSquareOf(keypoint))) : nullptr;
+    problem.AddResidualBlock(model.cost(observations[i]), weightedLoss(loss, keypoint), pose.data());
   }
   if (problem.NumResidualBlocks() < 3) return;
   ceres::Solver::Options options;

@@ -20,6 +20,7 @@ struct Keypoint {
   float response = 0.0F;       ///< Corner strength, comparable within one image only.
   float scale = 1.0F;          ///< Pixels of the full image per pixel of the pyramid level it was found on.
   Motion motion = Motion::Static;
+  float staticProbability = 1.0F;  ///< How sure it is that a static point is static, 0..1; what it weighs in odometry.
 
   [[nodiscard]] bool hasDepth() const { return depth_m > 0.0F; }
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -31,6 +32,8 @@ struct Verdict {
   double prior = 0.0;     ///< Log-odds by knowledge: strength where a mover is within reach, else nearly none.
   double evidence = 0.0;  ///< Log-odds by observation; 0 = nothing is known.
   Finding finding = Finding::Rests;
+
+  [[nodiscard]] double probabilityOfMotion() const { return 1.0 / (1.0 + std::exp(-(prior + evidence))); }
 };
 
 /// Judges movable things as wholes, by knowledge and by observation (docs/knowledge.md): the facts tell how likely a

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ceres/loss_function.h>
 #include <ceres/rotation.h>
 
 #include <Eigen/Geometry>
@@ -22,6 +23,13 @@ inline constexpr double kChiSquareWithDepth = 7.815;
 
 [[nodiscard]] inline double chiSquareOf(const core::Keypoint& keypoint) {
   return keypoint.hasDepth() ? kChiSquareWithDepth : kChiSquareWithoutDepth;
+}
+
+/// What a sighting costs: `robust` (may be null: squared) bent for large errors, weighted by how sure it is that the
+/// point is static. The caller owns the result.
+[[nodiscard]] inline ceres::LossFunction* weightedLoss(ceres::LossFunction* robust, const core::Keypoint& keypoint) {
+  if (keypoint.staticProbability >= 1.0F) return robust;
+  return new ceres::ScaledLoss(robust, static_cast<double>(keypoint.staticProbability), ceres::TAKE_OWNERSHIP);
 }
 
 /// Error of one sighting of a map point in units of its standard deviation: two components of reprojection and, where
