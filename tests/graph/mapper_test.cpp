@@ -71,25 +71,10 @@ TEST_F(MapperTest, ClosesARound) {
   }
 }
 
-/// What a map file would keep of the graph.
-SavedGraph savedFrom(const KeyframeGraph& graph) {
-  SavedGraph saved;
-  for (const auto& [id, node] : graph.keyframes()) {
-    auto keyframe = std::make_shared<odometry::Keyframe>(*node.keyframe);
-    keyframe->T_map_cam = node.T_map_cam;
-    keyframe->submap = 0;
-    keyframe->sightings.clear();
-    for (const auto& [point, keypoint] : node.keypointOf) keyframe->sightings.push_back({point, keypoint});
-    saved.keyframes.push_back(keyframe);
-  }
-  for (const auto& [id, node] : graph.points()) saved.p_map_m[id] = node.point.p_map_m;
-  return saved;
-}
-
 TEST_F(MapperTest, GoesOnWithAnEarlierMap) {
   Mapper earlier(fewAndFast(), {});
   walk(earlier, Eigen::Isometry3d::Identity());
-  const SavedGraph saved = savedFrom(earlier.graph());
+  const SavedGraph saved = save(earlier.graph());
 
   Mapper mapper(fewAndFast(), {});
   mapper.restore(saved);

@@ -51,6 +51,7 @@ namespace {
 using mrpt::obs::CObservation3DRangeScan;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 std::shared_ptr<CObservation3DRangeScan> observe(const test::TexturedRoom& room, int image) {
   const auto view = room.look(test::TexturedRoom::T_room_cam(image));
@@ -126,6 +127,39 @@ TEST_F(SlamSystemTest, TracksARoom) {
     EXPECT_TRUE(result.T_map_cam.linear().isApprox(T_room_cam.linear(), 0.005)) << image;
   }
   slam.finish();
+}
+
+TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
+  SlamOptions options = withoutFilters();
+  options.deterministic = true;
+  EarlierMap earlier;
+  {
+    SlamSystem first(options);
+    for (int image = 0; image < 10; ++image) first.process(observe(room_, image));
+    first.finish();
+    earlier = {graph::save(first.map().graph()), first.semanticMap()};
+  }
+  ASSERT_FALSE(earlier.graph.keyframes.empty());
+  SlamSystem second(options, earlier);
+  for (int image = 3; image < 12; ++image) second.process(observe(room_, image));
+  second.finish();
+  EXPECT_EQ(second.map().submapsJoined(), 1U);
+  const auto trajectory = second.trajectory();
+  ASSERT_EQ(trajectory.size(), 9U);
+  for (int image = 3; image < 12; ++image) {
+    const auto& T_map_cam = trajectory[static_cast<std::size_t>(image - 3)].T_map_cam;
+    EXPECT_LT((T_map_cam.translation() - test::TexturedRoom::T_room_cam(image).translation()).norm(), 0.006) << image;
+  }
+  EXPECT_GT(second.semanticMap().keyframes.size(), earlier.semantic.keyframes.size());
+  EXPECT_EQ(second.semanticMap().cloud.count(1), 1U) << "what the first run saw";
+}
+
+TEST_F(SlamSystemTest, ClassesOfAnEarlierMapMustMeanTheSame) {
+  EarlierMap earlier;
+  earlier.semantic.labels.rename(60, "operating table");
+  earlier.semantic.objects[1].classId = 60;
+  EXPECT_THAT([&] { SlamSystem(withoutFilters(), earlier); },
+              ThrowsMessage<core::InputError>(HasSubstr("class 60 is 'operating table' in the map but 'bed'")));
 }
 
 TEST_F(SlamSystemTest, StagesComeInOrder) {

@@ -63,6 +63,7 @@ class MapBuilder::Impl {
   Impl(const MappingOptions& options, MapSetting setting)
       : options_(options), setting_(std::move(setting)), table_(options.objects) {}
 
+  void restore(const SemanticMap& earlier);
   void addKeyframe(const odometry::Keyframe& keyframe);
   void apply(const odometry::MapUpdate& update);
   void add(const View& view);
@@ -100,6 +101,23 @@ class MapBuilder::Impl {
   std::optional<core::CameraModel> raysCamera_;
   cv::Mat rays_;
 };
+
+void MapBuilder::Impl::restore(const SemanticMap& earlier) {
+  constexpr std::uint32_t kSubmap = 0;
+  first_ = kSubmap;
+  Part& main = part(kSubmap);
+  for (const auto& [id, keyframe] : earlier.keyframes) {
+    keyframes_[id] = {kSubmap, keyframe.stamp_s, keyframe.T_map_cam, keyframe.freeFan_cam_m};
+    const auto tile = earlier.cloud.find(id);
+    main.cloud.restore(id, keyframe.T_map_cam, tile == earlier.cloud.end() ? SemanticCloudTile{} : tile->second);
+  }
+  for (const auto& [id, object] : earlier.objects) {
+    main.objects.restore(id, ObjectRecord::from(object));
+    table_.restore(object);
+    nextId_ = std::max(nextId_, id + 1);
+  }
+  static_cast<void>(main.cloud.takeChanges());  // the earlier run has written them
+}
 
 void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
   const auto joined = joinedInto_.find(keyframe.submap);
@@ -350,6 +368,7 @@ MapBuilder::~MapBuilder() = default;
 MapBuilder::MapBuilder(MapBuilder&&) noexcept = default;
 MapBuilder& MapBuilder::operator=(MapBuilder&&) noexcept = default;
 
+void MapBuilder::restore(const SemanticMap& earlier) { impl_->restore(earlier); }
 void MapBuilder::addKeyframe(const odometry::Keyframe& keyframe) { impl_->addKeyframe(keyframe); }
 void MapBuilder::apply(const odometry::MapUpdate& update) { impl_->apply(update); }
 void MapBuilder::add(const View& view) { impl_->add(view); }

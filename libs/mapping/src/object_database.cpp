@@ -6,6 +6,11 @@
 namespace wardslam::mapping {
 namespace {
 
+/// How often it was seen of the times it should have been, by Laplace's rule of succession.
+double foundShare(const ObjectRecord& record) {
+  return (record.views + 1.0) / (std::max(record.expected, record.views) + 2.0);
+}
+
 constexpr int kConvincing = 2;         // views that must show two objects as one
 constexpr double kCovered = 0.5;       // of an object's points in sight, for a mask to cover it
 constexpr std::size_t kFewPoints = 8;  // too few points in sight to judge by
@@ -24,6 +29,16 @@ double ratio(std::size_t part, std::size_t whole) {
 
 }  // namespace
 
+ObjectRecord ObjectRecord::from(const MapObject& object) {
+  ObjectRecord record;
+  record.views = record.expected = object.views;
+  record.firstSeen_s = object.firstSeen_s;
+  record.lastSeen_s = object.lastSeen_s;
+  record.state = object.state;
+  record.votes[object.classId] = object.probability / foundShare(record) * object.views;
+  return record;
+}
+
 core::ClassId ObjectRecord::classId() const {
   const auto best =
       std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -36,8 +51,7 @@ double ObjectRecord::probability() const {
   if (views == 0 || all <= 0) return 0.0;
   const double share = votes.at(classId()) / all;
   const double confidence = all / views;
-  const double found = (views + 1.0) / (std::max(expected, views) + 2.0);  // Laplace's rule of succession
-  return std::min(1.0, share * confidence * found);
+  return std::min(1.0, share * confidence * foundShare(*this));
 }
 
 std::vector<ObjectDatabase::Match> ObjectDatabase::candidates(const std::vector<Evidence>& detections,

@@ -30,6 +30,9 @@ struct ObjectRecord {
   std::size_t erased = 0;  ///< Points taken away since it was seen last.
   ObjectState state = ObjectState::Static;
 
+  /// As if all its views had agreed on its class.
+  [[nodiscard]] static ObjectRecord from(const MapObject& object);
+
   [[nodiscard]] core::ClassId classId() const;
   [[nodiscard]] double probability() const;
 };
@@ -39,6 +42,9 @@ struct ObjectRecord {
 class ObjectDatabase {
  public:
   explicit ObjectDatabase(const ObjectOptions& options) : options_(options) {}
+
+  /// An object of an earlier map.
+  void restore(ObjectId id, const ObjectRecord& record) { objects_[id] = record; }
 
   /// The object each detection of one view shows; new ones get an id from `nextId`. `inSight`: how many points of each
   /// object the view sees.

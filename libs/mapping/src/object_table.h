@@ -18,6 +18,9 @@ class ObjectTable {
   std::set<ObjectId> update(const std::set<ObjectId>& touched, const ObjectDatabase& database,
                             const SemanticCloud& cloud);
 
+  /// A row of an earlier map.
+  void restore(const MapObject& row) { rows_[row.id] = row; }
+
   [[nodiscard]] const std::map<ObjectId, MapObject>& rows() const { return rows_; }
 
  private:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "usable_pixels.h"
+#include "wardslam/core/depth_noise.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -23,6 +24,27 @@ void SemanticCloud::addTile(KeyframeId keyframe, const Eigen::Isometry3d& T_map_
   if (!isNew) return;
   const Eigen::Isometry3f T = T_map_cam.cast<float>();
   tiles_.push_back({keyframe, T, T, 0.0F, {}});
+}
+
+void SemanticCloud::restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam, const SemanticCloudTile& saved) {
+  addTile(keyframe, T_map_cam);
+  const std::uint32_t index = tileOf_.at(keyframe);
+  Tile& tile = tiles_[index];
+  for (const SemanticPoint& point : saved.points) {
+    CloudPoint& restored = tile.points.emplace_back();
+    restored.p_cam_m = point.p_cam_m;
+    restored.color_rgb = Eigen::Vector3f(point.color_rgb[0], point.color_rgb[1], point.color_rgb[2]);
+    restored.sightings = point.sightings;
+    const double sigma_m = core::kinectDepthSigma_m(static_cast<double>(point.p_cam_m.z()));
+    restored.sigma_m = static_cast<float>(std::min(sigma_m, options_.max_sigma_m));  // or it would not have been saved
+    restored.precision_m2 =
+        std::min(kMostPrecision_m2, static_cast<float>(point.sightings) / (restored.sigma_m * restored.sigma_m));
+    restored.evidence = kMostEvidence;
+    restored.votes.add(point.object, static_cast<float>(point.sightings));
+    setObject(restored, point.object);
+    tile.radius_m = std::max(tile.radius_m, point.p_cam_m.norm());
+  }
+  enter({index});
 }
 
 void SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {

@@ -56,6 +56,9 @@ class SemanticCloud {
 
   void addTile(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam);
 
+  /// A tile of an earlier map.
+  void restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam, const SemanticCloudTile& saved);
+
   /// New poses of keyframes; those unknown here are left out.
   void movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
 

@@ -1,6 +1,11 @@
 #include "wardslam/pipeline/slam_system.h"
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
 #include "wardslam/core/data_files.h"
+#include "wardslam/core/errors.h"
 #include "wardslam/knowledge/motion_rules.h"
 #include "wardslam/segmentation/async_segmenter.h"
 
@@ -22,36 +27,72 @@ std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentat
                                                         segmentation::makeContourRefiner(options, rules.moving()));
 }
 
-std::unique_ptr<SceneKeeper> makeScene(const SlamOptions& options, const knowledge::KnowledgeGraph& knowledge,
-                                       const core::LabelSpace& labels, const mapping::Zones& zones,
-                                       core::Profiler& profiler) {
-  mapping::MapSetting setting{labels, knowledge::MotionRules(knowledge, labels).moving(), zones};
-  const bool isSegmented = options.segmentation.type != segmentation::SegmentationOptions::Type::None;
-  return std::make_unique<SceneKeeper>(std::make_unique<mapping::MapBuilder>(options.mapping, std::move(setting)),
-                                       SceneKeeper::Options{options.mapping.views, !options.deterministic, isSegmented},
-                                       profiler);
+knowledge::ClassSet moversIn(const knowledge::KnowledgeGraph& knowledge, const core::LabelSpace& labels) {
+  return knowledge::MotionRules(knowledge, labels).moving();
 }
 
-mapping::Zones readZones(const SlamOptions& options) {
-  if (options.zones.file.empty()) return {};
+std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const graph::SavedGraph& earlier) {
+  auto mapper = std::make_unique<graph::Mapper>(options.graph, options.odometry);
+  mapper->restore(earlier);
+  return mapper;
+}
+
+odometry::Continuation continuationOf(const graph::SavedGraph& earlier) {
+  if (earlier.keyframes.empty()) return {};
+  odometry::Continuation continuation;
+  continuation.lastKeyframe = earlier.keyframes.back()->id;
+  for (const auto& keyframe : earlier.keyframes) {
+    for (const auto& sighting : keyframe->sightings) {
+      continuation.lastPoint = std::max(continuation.lastPoint, sighting.point);
+    }
+  }
+  continuation.submap = 1;
+  return continuation;
+}
+
+/// A class id means one thing, in the map and in the masks to come.
+void requireSameNames(const core::LabelSpace& labels, const mapping::SemanticMap& earlier) {
+  for (const auto& [id, object] : earlier.objects) {
+    const std::string& before = earlier.labels.name(object.classId);
+    const std::string& now = labels.name(object.classId);
+    if (before.empty() || now.empty() || before == now) continue;
+    throw core::InputError("class " + std::to_string(object.classId) + " is '" + before + "' in the map but '" + now +
+                           "' in the masks; use the class names the map was made with");
+  }
+}
+
+std::unique_ptr<SceneKeeper> makeScene(const SlamOptions& options, mapping::MapSetting setting,
+                                       const mapping::SemanticMap& earlier, core::Profiler& profiler) {
+  const bool isSegmented = options.segmentation.type != segmentation::SegmentationOptions::Type::None;
+  auto builder = std::make_unique<mapping::MapBuilder>(options.mapping, std::move(setting));
+  if (!earlier.keyframes.empty()) builder->restore(earlier);
+  return std::make_unique<SceneKeeper>(
+      std::move(builder), SceneKeeper::Options{options.mapping.views, !options.deterministic, isSegmented}, profiler);
+}
+
+mapping::Zones zonesOf(const SlamOptions& options, const mapping::SemanticMap& earlier) {
+  if (options.zones.file.empty()) return mapping::Zones(earlier.zones);
   return mapping::Zones::fromFile(core::findDataFile(options.zones.file, options.file));
 }
 
 }  // namespace
 
-SlamSystem::SlamSystem(const SlamOptions& options)
+SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier)
     : options_(options),
       knowledge_(readKnowledge(options)),
       segmenter_(makeAsyncSegmenter(options.segmentation, *knowledge_)),
       labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
-      zones_(readZones(options)),
+      zones_(zonesOf(options, earlier.semantic)),
       features_(options.features),
       filters_(options.filters, {segmenter_, knowledge_, options.deterministic}),
-      odometry_(options.odometry),
-      map_(std::make_unique<graph::Mapper>(options.graph, options.odometry), !options.deterministic) {
+      odometry_(options.odometry, continuationOf(earlier.graph)),
+      map_(makeMapper(options, earlier.graph), !options.deterministic) {
   requireValid(options.map_frame);
+  requireSameNames(labels_, earlier.semantic);
   addObserver(trajectory_);
-  if (options.mapping.enabled) scene_ = makeScene(options, *knowledge_, labels_, zones_, profiler_);
+  if (options.mapping.enabled) {
+    scene_ = makeScene(options, {labels_, moversIn(*knowledge_, labels_), zones_}, earlier.semantic, profiler_);
+  }
 }
 
 odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {

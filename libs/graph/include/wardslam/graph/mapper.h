@@ -9,16 +9,11 @@
 #include "wardslam/graph/keyframe_graph.h"
 #include "wardslam/graph/loop_verification.h"
 #include "wardslam/graph/place_recognition.h"
+#include "wardslam/graph/saved_graph.h"
 #include "wardslam/odometry/map_update.h"
 #include "wardslam/odometry/odometry_options.h"
 
 namespace wardslam::graph {
-
-/// The keyframes of an earlier run, to be recognised and continued.
-struct SavedGraph {
-  std::vector<std::shared_ptr<const odometry::Keyframe>> keyframes;  ///< By id, all of submap 0, posed in the map.
-  std::map<PointId, Eigen::Vector3d> p_map_m;                        ///< Of the points they see.
-};
 
 /// Keeps the map of keyframes right as it grows: local bundle adjustment after every keyframe; where an old place is
 /// seen again, the loop is closed over a pose graph and everything adjusted; submaps that meet are joined.

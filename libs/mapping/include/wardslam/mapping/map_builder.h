@@ -43,6 +43,9 @@ class MapBuilder {
   MapBuilder(MapBuilder&&) noexcept;
   MapBuilder& operator=(MapBuilder&&) noexcept;
 
+  /// Goes on with the map of an earlier run, which is submap 0 from now on. Before anything else.
+  void restore(const SemanticMap& earlier);
+
   /// Before the views that hang on it.
   void addKeyframe(const odometry::Keyframe& keyframe);
 

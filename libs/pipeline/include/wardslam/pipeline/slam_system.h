@@ -10,6 +10,7 @@
 #include "wardslam/filters/filter_chain.h"
 #include "wardslam/mapping/zones.h"
 #include "wardslam/odometry/odometry.h"
+#include "wardslam/pipeline/earlier_map.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/map_keeper.h"
 #include "wardslam/pipeline/scene_keeper.h"
@@ -25,8 +26,9 @@ namespace wardslam::pipeline {
 ///     while (auto observation = source->next()) std::cout << slam.process(observation).T_map_cam.matrix();
 class SlamSystem {
  public:
-  /// Throws core::InputError when a file the options name is missing or wrong.
-  explicit SlamSystem(const SlamOptions& options);
+  /// Throws core::InputError when a file the options name is missing or wrong, or when the class names of the earlier
+  /// map contradict those in use.
+  explicit SlamSystem(const SlamOptions& options, const EarlierMap& earlier = {});
 
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
   /// core::InputError for what no later observation mends. Filters annotate the observation.

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "wardslam/graph/mapper.h"
+#include "wardslam/mapping/semantic_map.h"
+
+namespace wardslam::pipeline {
+
+/// What an earlier run learnt of the place, to go on with. The camera may start anywhere in it: tracking has a map of
+/// its own until a place of the earlier map is recognised, then both are one.
+struct EarlierMap {
+  graph::SavedGraph graph;
+  mapping::SemanticMap semantic;  ///< Without keyframes: only where the camera is matters.
+};
+
+}  // namespace wardslam::pipeline
