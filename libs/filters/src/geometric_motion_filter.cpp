@@ -67,6 +67,7 @@ void GeometricMotionFilter::apply(core::Frame& frame) {
   for (core::Keypoint& keypoint : keypoints) {
     if (isIn(moving, keypoint.raw_px)) keypoint.motion = core::Motion::Dynamic;
   }
+  core::addMayMove(frame, moving);
   if (options_.annotate && frame.observation) annotateDynamic(frame, moving);
 }
 

@@ -105,18 +105,21 @@ void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat&
   cv::Mat rests(movers.size(), CV_8UC1, cv::Scalar(0));
   cv::Mat moves = widened != 0;
   cv::Mat staticProbability(movers.size(), CV_32FC1, cv::Scalar(1));
+  cv::Mat suspected(movers.size(), CV_8UC1, cv::Scalar(0));
   for (const Verdict& verdict : judge_->judge(frame, movers)) {
     const cv::Rect box = boxAround(verdict.instance, options_.margin_px, movers.size());
     if (box.empty()) continue;
     const cv::Mat whole = instanceIds(box) == verdict.instance.id;
     if (verdict.finding == Verdict::Finding::Rests) rests(box) |= whole;
     if (verdict.finding == Verdict::Finding::Moves) moves(box) |= widen(whole, options_.margin_px);
+    if (verdict.finding == Verdict::Finding::Suspected) suspected(box) |= whole;
     staticProbability(box).setTo(1.0 - verdict.probabilityOfMotion(), whole);
   }
   // What is only suspected, and things too small to be an instance, are left to the paper's rule.
   cv::Mat dynamic = test_->mask();
   dynamic.setTo(0, rests);
   dynamic |= moves;
+  core::addMayMove(frame, dynamic | suspected);
   for (core::Keypoint& keypoint : frame.features.keypoints) {
     const cv::Point pixel = pixelOf(keypoint.raw_px, dynamic.size());
     if (dynamic.at<std::uint8_t>(pixel) != 0) keypoint.motion = core::Motion::Dynamic;
@@ -128,7 +131,9 @@ void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat&
 void SemanticDynamicFilter::markByPaper(core::Frame& frame, const cv::Mat& movers) {
   setTestImage(frame.segmentation.classIds, movers);
   test_->mark(frame.features.keypoints);
-  if (options_.annotate) annotate(frame, test_->mask());
+  const cv::Mat dynamic = test_->mask();
+  core::addMayMove(frame, dynamic);
+  annotate(frame, dynamic);
 }
 
 cv::Mat SemanticDynamicFilter::setTestImage(const cv::Mat& classIds, const cv::Mat& movers) {

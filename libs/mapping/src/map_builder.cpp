@@ -7,6 +7,7 @@
 
 #include "detections.h"
 #include "object_database.h"
+#include "object_shape.h"
 #include "object_table.h"
 #include "semantic_cloud.h"
 #include "usable_pixels.h"
@@ -76,7 +77,7 @@ class MapBuilder::Impl {
   void join(std::uint32_t from, std::uint32_t into);
   void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
   const cv::Mat& raysOf(const core::CameraModel& camera);
-  std::vector<ObjectId> recogniseObjects(Part& part, const View& view, const std::vector<Sample>& samples,
+  std::vector<ObjectId> recogniseObjects(Part& part, const View& view,
                                          const std::vector<std::optional<PointRef>>& points,
                                          const std::vector<Detection>& detections,
                                          const std::map<ObjectId, std::size_t>& inSight);
@@ -85,6 +86,8 @@ class MapBuilder::Impl {
   void refresh();
   void mergeSameBoxes();
   void reuniteMoved();
+  [[nodiscard]] double lengthOf(const Part& part, ObjectId id) const;
+  [[nodiscard]] std::optional<ObjectId> findLost(const Part& part, const MapObject& found) const;
   void describeTouched();
   [[nodiscard]] SemanticCloudTile publish(const Tile& tile) const;
 
@@ -141,8 +144,8 @@ void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_m
     changes_.keyframes.insert(id);
   }
   for (auto& [submap, part] : parts_) {
-    part.cloud.movePoses(T_map_cam);
     for (const auto& [id, count] : part.cloud.pointCounts()) touched_.insert(id);
+    part.cloud.movePoses(T_map_cam);
   }
 }
 
@@ -189,7 +192,7 @@ void MapBuilder::Impl::add(const View& view) {
   const auto samples = sampleView(view, T_map_cam, raysOf(view.camera), usable, cell_m, options_.cloud.pixel_step);
   const auto points = part.cloud.recognise(samples, T_map_cam.translation());
   const auto detections = detect(view.segmentation, samples, setting_.moving, options_.objects, cell_m);
-  const auto objects = recogniseObjects(part, view, samples, points, detections, look.inSight);
+  const auto objects = recogniseObjects(part, view, points, detections, look.inSight);
 
   std::vector<SemanticCloud::LabelVote> votes(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -206,11 +209,9 @@ void MapBuilder::Impl::add(const View& view) {
 }
 
 std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View& view,
-                                                         const std::vector<Sample>& samples,
                                                          const std::vector<std::optional<PointRef>>& points,
                                                          const std::vector<Detection>& detections,
                                                          const std::map<ObjectId, std::size_t>& inSight) {
-  (void)samples;
   const auto objectAt = [&](std::size_t i) { return points[i] ? part.cloud.at(*points[i]).object : 0; };
   std::vector<Evidence> evidence;
   for (const Detection& detection : detections) {
@@ -226,7 +227,8 @@ std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View&
       if (const ObjectId id = objectAt(i)) ++e.underMask[id];
     }
   }
-  return part.objects.observe(evidence, inSight, view.stamp_s, nextId_);
+  const bool canMiss = !view.segmentation.empty();
+  return part.objects.observe(evidence, canMiss ? inSight : std::map<ObjectId, std::size_t>{}, view.stamp_s, nextId_);
 }
 
 void MapBuilder::Impl::takeMerges(Part& part) {
@@ -284,18 +286,34 @@ void MapBuilder::Impl::mergeSameBoxes() {
 void MapBuilder::Impl::reuniteMoved() {
   Part& main = part(*first_);
   const auto rows = table_.rows();
-  for (const auto& [goneId, gone] : rows) {
-    if (gone.state != ObjectState::Gone) continue;
-    for (const auto& [foundId, found] : rows) {
-      if (found.state == ObjectState::Gone || found.classId != gone.classId) continue;
-      if (found.firstSeen_s < gone.lastSeen_s) continue;
-      const double ratio = found.box_m.sizes().maxCoeff() / std::max(gone.box_m.sizes().maxCoeff(), 1e-3);
-      if (ratio > kSameSize || ratio < 1 / kSameSize) continue;
-      if (main.objects.objects().count(foundId) == 0) continue;
-      main.objects.reunite(goneId, foundId);
-      break;
-    }
+  for (const auto& [foundId, found] : rows) {
+    if (found.state == ObjectState::Gone) continue;
+    const auto lost = findLost(main, found);
+    if (!lost) continue;
+    main.cloud.eraseObject(*lost);
+    main.objects.reunite(*lost, foundId);
+    touched_.insert({*lost, foundId});
   }
+}
+
+/// The longest side of an object, be it gone or not yet told to anybody; 0 where nothing is known of it.
+double MapBuilder::Impl::lengthOf(const Part& part, ObjectId id) const {
+  const auto row = table_.rows().find(id);
+  if (row != table_.rows().end()) return row->second.box_m.sizes().maxCoeff();
+  const auto points = part.cloud.pointsOf({id}).at(id);
+  return points.empty() ? 0.0 : shapeOf(points, kPartGap_m).box_m.sizes().maxCoeff();
+}
+
+std::optional<ObjectId> MapBuilder::Impl::findLost(const Part& part, const MapObject& found) const {
+  for (const auto& [id, record] : part.objects.objects()) {
+    const bool isLost = record.state == ObjectState::Gone || record.isMissing();
+    if (!isLost || id == found.id || record.classId() != found.classId) continue;
+    if (found.firstSeen_s < record.lastSeen_s) continue;  // were seen at the same time
+    const double length_m = lengthOf(part, id);
+    const double foundLength_m = found.box_m.sizes().maxCoeff();
+    if (foundLength_m < kSameSize * length_m && length_m < kSameSize * foundLength_m) return id;
+  }
+  return std::nullopt;
 }
 
 SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {

@@ -1,6 +1,7 @@
 #include "object_database.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace wardslam::mapping {
@@ -45,9 +46,13 @@ core::ClassId ObjectRecord::classId() const {
   return best == votes.end() ? core::ClassId{0} : best->first;
 }
 
+double ObjectRecord::evidence() const {
+  return std::accumulate(votes.begin(), votes.end(), 0.0,
+                         [](double sum, const auto& vote) { return sum + vote.second; });
+}
+
 double ObjectRecord::probability() const {
-  double all = 0.0;
-  for (const auto& [c, confidence] : votes) all += confidence;
+  const double all = evidence();
   if (views == 0 || all <= 0) return 0.0;
   const double share = votes.at(classId()) / all;
   const double confidence = all / views;
@@ -93,11 +98,15 @@ std::vector<ObjectId> ObjectDatabase::observe(const std::vector<Evidence>& detec
     ++object.views;
     object.lastSeen_s = stamp_s;
     object.erased = 0;
+    object.missed = 0;
     if (object.state == ObjectState::Gone) object.state = ObjectState::Static;
   }
   for (const auto& [id, points] : inSight) {
     const auto object = objects_.find(id);
-    if (object != objects_.end() && (seen.count(id) > 0 || points >= kFewPoints)) ++object->second.expected;
+    if (object == objects_.end()) continue;
+    const bool isSeen = seen.count(id) > 0;
+    if (isSeen || points >= kFewPoints) ++object->second.expected;
+    if (!isSeen && points >= kFewPoints) ++object->second.missed;
   }
   relate(detections, assigned, inSight);
   mergeRelated();
@@ -148,6 +157,7 @@ void ObjectDatabase::merge(ObjectId from, ObjectId into) {
   object.expected += gone->second.expected;
   object.firstSeen_s = std::min(object.firstSeen_s, gone->second.firstSeen_s);
   object.lastSeen_s = std::max(object.lastSeen_s, gone->second.lastSeen_s);
+  object.missed = std::min(object.missed, gone->second.missed);
   objects_.erase(gone);
   std::map<std::pair<ObjectId, ObjectId>, Relation> relations;
   for (const auto& [pair, relation] : relations_) {

@@ -22,9 +22,12 @@ struct Evidence {
 
 /// What is known of an object besides its points, which the cloud has.
 struct ObjectRecord {
+  static constexpr int kConvincingMisses = 5;
+
   std::map<core::ClassId, double> votes;  ///< Sum of confidences, by class.
   int views = 0;                          ///< That saw it,
   int expected = 0;                       ///< and that had it in plain sight.
+  int missed = 0;                         ///< Of those, the last ones in a row that did not see it.
   double firstSeen_s = 0.0;
   double lastSeen_s = 0.0;
   std::size_t erased = 0;  ///< Points taken away since it was seen last.
@@ -34,6 +37,10 @@ struct ObjectRecord {
   [[nodiscard]] static ObjectRecord from(const MapObject& object);
 
   [[nodiscard]] core::ClassId classId() const;
+  /// Since it was seen last it was missed more often than it was ever seen: it may have been taken away.
+  [[nodiscard]] bool isMissing() const { return missed >= kConvincingMisses && missed > views; }
+
+  [[nodiscard]] double evidence() const;  ///< Sum of the confidences of all its detections.
   [[nodiscard]] double probability() const;
 };
 

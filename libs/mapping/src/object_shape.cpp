@@ -9,7 +9,7 @@
 namespace wardslam::mapping {
 namespace {
 
-constexpr double kTrim = 0.01;
+constexpr double kTrim = 0.003;
 constexpr double kLeastPart = 0.1;
 
 /// Columns are points.

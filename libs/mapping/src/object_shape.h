@@ -14,6 +14,9 @@ struct ObjectShape {
   OrientedBox orientedBox;
 };
 
+/// Gaps in the surface of one thing that was seen from few sides.
+inline constexpr double kPartGap_m = 0.15;
+
 /// Of points in a frame with z up. Groups of points that lie apart and hold less than a tenth of all are left out, then
 /// boxes leave out the outermost hundredth on each side. The oriented box stands upright and is turned to the principal
 /// axes of the points in plan view. `points_m` must not be empty.

@@ -6,8 +6,7 @@
 namespace wardslam::mapping {
 namespace {
 
-/// Gaps in the surface of one thing, seen from few sides.
-constexpr double kPartGap_m = 0.15;
+constexpr int kFewestViews = 2;
 
 void describe(const ObjectRecord& record, MapObject& row) {
   row.classId = record.classId();
@@ -52,7 +51,7 @@ std::set<ObjectId> ObjectTable::update(const std::set<ObjectId>& touched, const 
 }
 
 bool ObjectTable::isEstablished(const ObjectRecord& record) const {
-  return record.views >= options_.min_views &&
+  return record.views >= kFewestViews && record.evidence() >= options_.min_evidence && !record.isMissing() &&
          record.views >= options_.min_seen_fraction * std::max(record.expected, record.views);
 }
 

@@ -12,7 +12,7 @@ constexpr float kSlope_m = 0.02F;
 constexpr int kFlierReach_px = 2;
 
 cv::Mat movingPixels(const View& view, const knowledge::ClassSet& movingClasses, int margin_px) {
-  cv::Mat moving = view.moving.empty() ? cv::Mat(view.depth_m.size(), CV_8UC1, cv::Scalar(0)) : view.moving.clone();
+  cv::Mat moving = view.mayMove.empty() ? cv::Mat(view.depth_m.size(), CV_8UC1, cv::Scalar(0)) : view.mayMove.clone();
   if (!view.segmentation.empty()) {
     cv::Mat table(1, 256, CV_8UC1);
     for (int c = 0; c < 256; ++c) table.at<std::uint8_t>(c) = movingClasses[static_cast<std::size_t>(c)] ? 255 : 0;

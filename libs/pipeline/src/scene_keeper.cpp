@@ -3,20 +3,8 @@
 #include <Eigen/Geometry>
 #include <utility>
 
-#include "wardslam/core/annotation.h"
-
 namespace wardslam::pipeline {
 namespace {
-
-/// What the filters marked as moving; empty when they marked nothing.
-cv::Mat movingPixels(const core::Frame& frame) {
-  if (!frame.observation) return {};
-  const cv::Mat labels = core::annotationOf(*frame.observation);
-  if (labels.size() != frame.depth_m.size()) return {};
-  cv::Mat moving;
-  cv::bitwise_and(labels, cv::Scalar(core::bitOf(core::PixelLabel::Dynamic)), moving);
-  return moving;
-}
 
 mapping::View viewOf(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   mapping::View view;
@@ -28,7 +16,7 @@ mapping::View viewOf(const core::Frame& frame, const odometry::OdometryResult& o
   view.color_bgr = frame.color_bgr;
   view.depth_m = frame.depth_m;
   view.segmentation = frame.segmentation;
-  view.moving = movingPixels(frame);
+  view.mayMove = frame.mayMove;
   return view;
 }
 

@@ -31,11 +31,17 @@ struct Frame {
   Segmentation segmentation;       ///< Filled by the filter that segments; empty otherwise.
   double segmentationAge_s = 0.0;  ///< How much older the image is that its masks were made from,
   int segmentationAge_frames = 0;  ///< and how many frames.
+  cv::Mat mayMove;                 ///< CV_8UC1, set by filters: not 0 where something moves or is suspected of it.
 
   /// What the frame was built from; filters annotate it (pixelLabels, confidenceImage). May be null in tests.
   std::shared_ptr<mrpt::obs::CObservation3DRangeScan> observation;
 
   EventCounts events;  ///< Trouble met while working on this frame.
 };
+
+/// Adds to Frame::mayMove. `mask`: CV_8UC1 of the size of the image, not 0 where something may move.
+inline void addMayMove(Frame& frame, const cv::Mat& mask) {
+  frame.mayMove = frame.mayMove.empty() ? mask.clone() : cv::Mat(frame.mayMove | mask);
+}
 
 }  // namespace wardslam::core

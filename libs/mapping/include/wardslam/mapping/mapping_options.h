@@ -7,8 +7,8 @@ namespace wardslam::mapping {
 
 /// Which frames are worked into the map besides keyframes.
 struct ViewOptions {
-  double step_m = 0.15;
-  double turn_rad = 0.12;
+  double step_m = 0.1;
+  double turn_rad = 0.06;
   double gap_s = 0.5;
 
   template <class Self, class Visitor>
@@ -44,7 +44,7 @@ struct ObjectOptions {
   double min_overlap = 0.3;
   double min_overlap_across_classes = 0.5;
   int min_points = 8;
-  int min_views = 3;
+  double min_evidence = 2.0;
   double min_seen_fraction = 0.2;
 
   template <class Self, class Visitor>
@@ -55,7 +55,8 @@ struct ObjectOptions {
     visit("min_overlap_across_classes", self.min_overlap_across_classes, {0.01, 1.0}, "",
           "the same where the class differs");
     visit("min_points", self.min_points, {1, 10000}, "count", "points an object must have");
-    visit("min_views", self.min_views, {1, 1000}, "count", "frames of the map that must have seen an object");
+    visit("min_evidence", self.min_evidence, {0.0, 1000.0}, "",
+          "sum of the confidences of the detections that must have shown an object, of two frames at least");
     visit("min_seen_fraction", self.min_seen_fraction, {0.0, 1.0}, "",
           "of the frames that had an object in plain sight, those that must have seen it");
   }

@@ -9,7 +9,7 @@
 
 namespace wardslam::mapping {
 
-/// An RGB-D image to be worked into the map. Images as in core::Frame.
+/// An RGB-D image to be worked into the map. Images as in core::Frame; those of the masks may be empty.
 struct View {
   odometry::KeyframeId keyframe = 0;  ///< The one it hangs on; moves with it.
   bool isKeyframe = false;            ///< It is the image of that keyframe itself.
@@ -18,8 +18,8 @@ struct View {
   core::CameraModel camera;
   cv::Mat color_bgr;
   cv::Mat depth_m;
-  core::Segmentation segmentation;  ///< May be empty: everything is unclassified then.
-  cv::Mat moving;                   ///< CV_8UC1, not 0 where something moves; empty = nowhere.
+  core::Segmentation segmentation;
+  cv::Mat mayMove;
 };
 
 }  // namespace wardslam::mapping
