@@ -119,6 +119,21 @@ TEST_F(GeometricMotionFilterTest, AddsToWhatEarlierFiltersMarked) {
   }
 }
 
+TEST_F(GeometricMotionFilterTest, LeavesTheOutlineOfWhoHasAMaskToTheMask) {
+  configure("{}");
+  cv::Mat person;
+  prepare_ = [&person](core::Frame& frame) {
+    person = frame.depth_m < 2.0;
+    core::annotate(*frame.observation, person & bitOf(PixelLabel::Dynamic));
+    for (auto& keypoint : frame.features.keypoints) {
+      if (keypoint.depth_m < 2.0F) keypoint.motion = Motion::Dynamic;
+    }
+  };
+  const core::Frame frame = walk();
+  const cv::Mat dynamic = (core::annotationOf(*frame.observation) & bitOf(PixelLabel::Dynamic)) != 0;
+  EXPECT_EQ(cv::norm(dynamic, person, cv::NORM_INF), 0.0);
+}
+
 TEST_F(GeometricMotionFilterTest, DoesNotBelieveThatEverythingMoves) {
   configure("{min_kept: 0.9}");  // the person alone covers more than a tenth
   const core::Frame frame = walk();

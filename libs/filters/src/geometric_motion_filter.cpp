@@ -31,6 +31,37 @@ cv::Mat markedPlaces(const core::Frame& frame) {
   return places;
 }
 
+/// What earlier filters annotated as moving; empty where they did not.
+cv::Mat markedPixels(const core::Frame& frame) {
+  if (!frame.observation) return {};
+  const cv::Mat labels = core::annotationOf(*frame.observation);
+  if (labels.size() != frame.gray.size()) return {};
+  cv::Mat marked;
+  cv::bitwise_and(labels, cv::Scalar(core::bitOf(core::PixelLabel::Dynamic)), marked);
+  return marked;
+}
+
+/// Those of the moving regions that what is marked already does not explain: around a mover with a mask, regions grown
+/// from points only blur its outline.
+cv::Mat unexplained(const cv::Mat& moving, const cv::Mat& marked) {
+  constexpr int kBlur_px = 16;            // how far a region reaches beyond the mover it was grown from
+  constexpr double kMostExplained = 0.3;  // of a region's area
+  if (marked.empty() || cv::countNonZero(marked) == 0) return moving;
+  cv::Mat near;
+  cv::dilate(marked, near, cv::getStructuringElement(cv::MORPH_RECT, {2 * kBlur_px + 1, 2 * kBlur_px + 1}));
+  cv::Mat regions;
+  cv::Mat statistics;
+  cv::Mat centres;
+  const int count = cv::connectedComponentsWithStats(moving, regions, statistics, centres);
+  cv::Mat kept(moving.size(), CV_8UC1, cv::Scalar(0));
+  for (int i = 1; i < count; ++i) {
+    const cv::Mat region = regions == i;
+    const double explained = cv::countNonZero(region & (near != 0));
+    if (explained <= kMostExplained * statistics.at<int>(i, cv::CC_STAT_AREA)) kept |= region;
+  }
+  return kept;
+}
+
 /// Adds to what earlier filters wrote.
 void annotateDynamic(core::Frame& frame, const cv::Mat& moving) {
   const auto& range = frame.observation->rangeImage;
@@ -51,11 +82,18 @@ void GeometricMotionFilter::initialize(const core::ConfigNode& parameters, const
   motion_.emplace(options_.motion);
 }
 
+void GeometricMotionFilter::begin(const core::Frame& frame) {
+  following_ = std::async(std::launch::async, [this, frame] { motion_->follow(frame); });
+}
+
 void GeometricMotionFilter::apply(core::Frame& frame) {
-  motion_->update(frame, markedPlaces(frame));
+  if (!following_.valid()) begin(frame);
+  following_.get();
+  motion_->judge(frame, markedPlaces(frame));
   if (motion_->isAtLoss()) ++frame.events["filters.motion_unknown"];
-  const cv::Mat moving = movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
-  motion_->distrust(moving);
+  const cv::Mat found = movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
+  motion_->distrust(found);
+  const cv::Mat moving = unexplained(found, markedPixels(frame));
 
   auto& keypoints = frame.features.keypoints;
   const auto stays = std::count_if(keypoints.begin(), keypoints.end(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace wardslam::filters {
 namespace {
@@ -64,14 +65,19 @@ double evidenceOf(double squaredError, double baseline, bool hasDepth) {
 
 double probabilityOf(double logOdds) { return 1.0 / (1.0 + std::exp(-logOdds)); }
 
-void SceneMotion::update(const core::Frame& frame, const cv::Mat& knownMovers) {
+void SceneMotion::follow(const core::Frame& frame) {
   forget(frame.stamp_s);
-  isTrusted_ = isCompared_ = false;
   const SpaceView* viewBefore = moments_.empty() ? nullptr : &moments_.back().view;
-  Moment now{++number_, frame.stamp_s, Eigen::Isometry3d::Identity(),
-             SpaceView(frame.depth_m, frame.camera, viewBefore)};
-  const std::uint64_t oldest = moments_.empty() ? now.number : moments_.front().number;
-  tracker_.follow(frame, now.number, predictTracks(frame.camera), oldest);
+  now_.emplace(Moment{++number_, frame.stamp_s, Eigen::Isometry3d::Identity(),
+                      SpaceView(frame.depth_m, frame.camera, viewBefore)});
+  const std::uint64_t oldest = moments_.empty() ? number_ : moments_.front().number;
+  tracker_.follow(frame, number_, predictTracks(frame.camera), oldest);
+}
+
+void SceneMotion::judge(const core::Frame& frame, const cv::Mat& knownMovers) {
+  Moment now = std::move(now_).value();
+  now_.reset();
+  isTrusted_ = isCompared_ = false;
   markKnownMovers(knownMovers);
   locate(now, frame.camera);
   space_ = cv::Mat(now.view.size(), CV_8UC1, cv::Scalar(static_cast<int>(Space::Unknown)));

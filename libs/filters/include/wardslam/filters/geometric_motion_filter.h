@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <optional>
 #include <string>
 
@@ -42,12 +43,14 @@ class GeometricMotionFilter : public ObservationFilter {
 
  public:
   void initialize(const core::ConfigNode& parameters, const FilterContext& context) override;
+  void begin(const core::Frame& frame) override;  ///< Follows points in a thread of its own, beside ORB.
   void apply(core::Frame& frame) override;
   [[nodiscard]] std::string parameters(int indent) const override;
 
  private:
   GeometricMotionOptions options_;
   std::optional<SceneMotion> motion_;
+  std::future<void> following_;  ///< Uses motion_; must go first.
 };
 
 }  // namespace wardslam::filters

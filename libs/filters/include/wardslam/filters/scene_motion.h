@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
 
 #include "wardslam/core/frame.h"
@@ -41,9 +42,18 @@ class SceneMotion {
   explicit SceneMotion(const SceneMotionOptions& options)
       : options_(options), tracker_(options.tracker), estimator_(options.camera) {}
 
-  /// The next image, in order of time, with its key points. `knownMovers` (CV_8UC1 of the image's size, may be empty):
+  /// Follows points into the next image, in order of time. Needs its pictures only, no key points.
+  void follow(const core::Frame& frame);
+
+  /// The image followed into, now with its key points. `knownMovers` (CV_8UC1 of the image's size, may be empty):
   /// what surely moves; it does not vote on the camera's motion.
-  void update(const core::Frame& frame, const cv::Mat& knownMovers = {});
+  void judge(const core::Frame& frame, const cv::Mat& knownMovers = {});
+
+  /// Both.
+  void update(const core::Frame& frame, const cv::Mat& knownMovers = {}) {
+    follow(frame);
+    judge(frame, knownMovers);
+  }
 
   /// What was made of the evidence: points that start where `moves` (CV_8UC1 of the image's size) is set count little
   /// when the next images vote on the motion of the camera. About the image last given.
@@ -83,7 +93,8 @@ class SceneMotion {
   SceneMotionOptions options_;
   PointTracker tracker_;
   CameraMotionEstimator estimator_;
-  std::deque<Moment> moments_;  ///< In order of time; the newest belongs to the image last given.
+  std::deque<Moment> moments_;  ///< In order of time; the newest belongs to the image last judged.
+  std::optional<Moment> now_;   ///< Followed into, not judged yet.
   Eigen::Isometry3d T_now_before_ = Eigen::Isometry3d::Identity();  ///< The newest step that is known.
   cv::Mat space_;
   std::uint64_t number_ = 0;
