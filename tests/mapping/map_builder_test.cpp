@@ -240,6 +240,24 @@ TEST_F(MapBuilderTest, WhatMayMoveDoesNotEnter) {
   EXPECT_EQ(pointsIn(box({2, 0, 0.5}, {0.6, 0.6, 1.2})), 0U);
 }
 
+TEST_F(MapBuilderTest, AThingPushedOutOfThePictureStandsOnlyWhereItIsFoundAgain) {
+  const auto push = [&](double y_m, bool isSuspected) {
+    View view =
+        scene::render({chair(2, y_m, 1)}, cameraAt({0, 0, 1}), stamp_s_ += 0.2);  // nothing behind it is measured
+    if (isSuspected) view.mayMove = view.segmentation.instanceIds == 1;
+    builder_.add(view);
+  };
+  push(0.0, true);
+  push(0.5, false);  // who pushes it is not in the picture any more
+  push(0.55, false);
+  stamp_s_ += 5.0;
+  for (int i = 0; i < 4; ++i) push(-0.8, false);
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects().front().state, ObjectState::Moved);
+  EXPECT_NEAR(objects().front().box_m.center().y(), -0.8, 0.05);
+  EXPECT_EQ(pointsIn(chair(2, 0.5, 0).box_m), 0U);
+}
+
 TEST_F(MapBuilderTest, EverythingFollowsACorrectedKeyframeAndDoublesBecomeOne) {
   look({wall(), chair(2, 0, 1)}, 4);
   const std::size_t once = points().size();

@@ -10,6 +10,7 @@
 #include "object_shape.h"
 #include "object_table.h"
 #include "semantic_cloud.h"
+#include "things_in_hands.h"
 #include "usable_pixels.h"
 #include "wardslam/core/view_rays.h"
 
@@ -27,6 +28,9 @@ constexpr double kSameBox = 0.5;
 
 /// A thing that moved is found again by its class and by its longest side, which agree within this factor.
 constexpr double kSameSize = 2.0;
+
+/// A thing last seen in somebody's hands is looked for elsewhere after so long.
+constexpr double kCarrying_s = 1.0;
 
 cv::Mat nearestAround(const cv::Mat& depth_m) {
   const int side = 2 * kSeenThroughMargin_px + 1;
@@ -87,7 +91,7 @@ class MapBuilder::Impl {
   void mergeSameBoxes();
   void reuniteMoved();
   [[nodiscard]] double lengthOf(const Part& part, ObjectId id) const;
-  [[nodiscard]] std::optional<ObjectId> findLost(const Part& part, const MapObject& found) const;
+  [[nodiscard]] std::vector<ObjectId> findLost(const Part& part, const MapObject& found) const;
   void describeTouched();
   [[nodiscard]] SemanticCloudTile publish(const Tile& tile) const;
 
@@ -192,6 +196,10 @@ void MapBuilder::Impl::add(const View& view) {
   const auto samples = sampleView(view, T_map_cam, raysOf(view.camera), usable, cell_m, options_.cloud.pixel_step);
   const auto points = part.cloud.recognise(samples, T_map_cam.translation());
   const auto detections = detect(view.segmentation, samples, setting_.moving, options_.objects, cell_m);
+  for (const Handled& thing : thingsInHands(view, setting_.moving)) {
+    const Eigen::Vector3f place_m = (T_map_cam * thing.p_cam_m).cast<float>();
+    part.objects.noteHandled(thing.classId, place_m, view.stamp_s);
+  }
   const auto objects = recogniseObjects(part, view, points, detections, look.inSight);
 
   std::vector<SemanticCloud::LabelVote> votes(samples.size());
@@ -219,6 +227,7 @@ std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View&
     e.classId = detection.classId;
     e.confidence = detection.confidence;
     e.size = detection.samples.size();
+    e.place_m = detection.centroid_m;
     for (const std::size_t i : detection.samples) {
       if (const ObjectId id = objectAt(i)) ++e.onObjects[id];
     }
@@ -288,11 +297,14 @@ void MapBuilder::Impl::reuniteMoved() {
   const auto rows = table_.rows();
   for (const auto& [foundId, found] : rows) {
     if (found.state == ObjectState::Gone) continue;
-    const auto lost = findLost(main, found);
-    if (!lost) continue;
-    main.cloud.eraseObject(*lost);
-    main.objects.reunite(*lost, foundId);
-    touched_.insert({*lost, foundId});
+    const std::vector<ObjectId> lost = findLost(main, found);
+    if (lost.empty()) continue;
+    for (const ObjectId id : lost) {
+      main.cloud.eraseObject(id);
+      touched_.insert(id);
+    }
+    touched_.insert(foundId);
+    main.objects.reunite(lost, foundId);
   }
 }
 
@@ -304,16 +316,18 @@ double MapBuilder::Impl::lengthOf(const Part& part, ObjectId id) const {
   return points.empty() ? 0.0 : shapeOf(points, kPartGap_m).box_m.sizes().maxCoeff();
 }
 
-std::optional<ObjectId> MapBuilder::Impl::findLost(const Part& part, const MapObject& found) const {
+std::vector<ObjectId> MapBuilder::Impl::findLost(const Part& part, const MapObject& found) const {
+  std::vector<ObjectId> lost;
   for (const auto& [id, record] : part.objects.objects()) {
-    const bool isLost = record.state == ObjectState::Gone || record.isMissing();
+    const bool isCarriedOn = record.viewsToRest > 0 && found.firstSeen_s > record.lastSeen_s + kCarrying_s;
+    const bool isLost = record.state == ObjectState::Gone || record.isMissing() || isCarriedOn;
     if (!isLost || id == found.id || record.classId() != found.classId) continue;
     if (found.firstSeen_s < record.lastSeen_s) continue;  // were seen at the same time
     const double length_m = lengthOf(part, id);
     const double foundLength_m = found.box_m.sizes().maxCoeff();
-    if (foundLength_m < kSameSize * length_m && length_m < kSameSize * foundLength_m) return id;
+    if (foundLength_m < kSameSize * length_m && length_m < kSameSize * foundLength_m) lost.push_back(id);
   }
-  return std::nullopt;
+  return lost;
 }
 
 SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {

@@ -17,6 +17,10 @@ constexpr double kCovered = 0.5;       // of an object's points in sight, for a 
 constexpr std::size_t kFewPoints = 8;  // too few points in sight to judge by
 constexpr double kGoneRatio = 2.0;     // an object is gone when it lost so many times what is left
 
+constexpr double kHandling_s = 2.0;  // so long and so near a thing may be gone on with out of the picture
+constexpr float kHandling_m = 1.0F;
+constexpr int kViewsToRest = 5;
+
 std::size_t countOf(const std::map<ObjectId, std::size_t>& counts, ObjectId id) {
   const auto entry = counts.find(id);
   return entry == counts.end() ? 0 : entry->second;
@@ -91,6 +95,7 @@ std::vector<ObjectId> ObjectDatabase::observe(const std::vector<Evidence>& detec
       objects_[assigned[i]].firstSeen_s = stamp_s;
     }
     objects_.at(assigned[i]).votes[detections[i].classId] += detections[i].confidence;
+    objects_.at(assigned[i]).lastPlace_m = detections[i].place_m;
   }
   const std::set<ObjectId> seen(assigned.begin(), assigned.end());
   for (const ObjectId id : seen) {
@@ -99,6 +104,7 @@ std::vector<ObjectId> ObjectDatabase::observe(const std::vector<Evidence>& detec
     object.lastSeen_s = stamp_s;
     object.erased = 0;
     object.missed = 0;
+    object.viewsToRest = std::max(0, object.viewsToRest - 1);
     if (object.state == ObjectState::Gone) object.state = ObjectState::Static;
   }
   for (const auto& [id, points] : inSight) {
@@ -108,9 +114,29 @@ std::vector<ObjectId> ObjectDatabase::observe(const std::vector<Evidence>& detec
     if (isSeen || points >= kFewPoints) ++object->second.expected;
     if (!isSeen && points >= kFewPoints) ++object->second.missed;
   }
+  markHandled(stamp_s);
   relate(detections, assigned, inSight);
   mergeRelated();
   return assigned;
+}
+
+void ObjectDatabase::noteHandled(core::ClassId classId, const Eigen::Vector3f& place_m, double stamp_s) {
+  handlings_.push_back({classId, place_m, stamp_s});
+}
+
+void ObjectDatabase::markHandled(double stamp_s) {
+  const auto isOld = [&](const Handling& h) { return stamp_s - h.stamp_s > kHandling_s; };
+  handlings_.erase(std::remove_if(handlings_.begin(), handlings_.end(), isOld), handlings_.end());
+  for (auto& [id, object] : objects_) {
+    if (stamp_s - object.lastSeen_s > kHandling_s) continue;
+    for (const Handling& handling : handlings_) {
+      const bool isIt = handling.classId == object.classId() && handling.stamp_s > object.handled_s &&
+                        (handling.place_m - object.lastPlace_m).norm() < kHandling_m;
+      if (!isIt) continue;
+      object.handled_s = handling.stamp_s;
+      object.viewsToRest = kViewsToRest;
+    }
+  }
 }
 
 void ObjectDatabase::relate(const std::vector<Evidence>& detections, const std::vector<ObjectId>& assigned,
@@ -185,10 +211,16 @@ std::vector<ObjectId> ObjectDatabase::erase(const std::map<ObjectId, std::size_t
   return gone;
 }
 
-void ObjectDatabase::reunite(ObjectId gone, ObjectId found) {
-  merge(found, gone);
-  objects_.at(gone).state = ObjectState::Moved;
-  objects_.at(gone).erased = 0;
+void ObjectDatabase::reunite(const std::vector<ObjectId>& lost, ObjectId found) {
+  const ObjectId kept = lost.front();
+  const int viewsToRest = objects_.at(found).viewsToRest;
+  merge(found, kept);
+  for (const ObjectId id : lost) merge(id, kept);
+  ObjectRecord& object = objects_.at(kept);
+  object.state = ObjectState::Moved;
+  object.erased = 0;
+  object.missed = 0;
+  object.viewsToRest = viewsToRest;
 }
 
 void ObjectDatabase::absorb(ObjectDatabase&& other) {

@@ -15,7 +15,8 @@ namespace wardslam::mapping {
 struct Evidence {
   core::ClassId classId = 0;
   float confidence = 1.0F;
-  std::size_t size = 0;                       ///< Samples of the thing.
+  std::size_t size = 0;  ///< Samples of the thing.
+  Eigen::Vector3f place_m = Eigen::Vector3f::Zero();
   std::map<ObjectId, std::size_t> onObjects;  ///< Of these, how many fall on points of each object.
   std::map<ObjectId, std::size_t> underMask;  ///< The same of all samples under its mask, the doubtful too.
 };
@@ -30,7 +31,10 @@ struct ObjectRecord {
   int missed = 0;                         ///< Of those, the last ones in a row that did not see it.
   double firstSeen_s = 0.0;
   double lastSeen_s = 0.0;
-  std::size_t erased = 0;  ///< Points taken away since it was seen last.
+  Eigen::Vector3f lastPlace_m = Eigen::Vector3f::Zero();  ///< Of the detection that saw it last.
+  double handled_s = 0.0;                                 ///< When it was last in somebody's hands.
+  int viewsToRest = 0;                                    ///< It must be seen so many times more to count as put down.
+  std::size_t erased = 0;                                 ///< Points taken away since it was seen last.
   ObjectState state = ObjectState::Static;
 
   /// As if all its views had agreed on its class.
@@ -58,13 +62,17 @@ class ObjectDatabase {
   std::vector<ObjectId> observe(const std::vector<Evidence>& detections, const std::map<ObjectId, std::size_t>& inSight,
                                 double stamp_s, ObjectId& nextId);
 
+  /// A thing of this class is there, and may be moving: it is in somebody's hands. Call before observe().
+  void noteHandled(core::ClassId classId, const Eigen::Vector3f& place_m, double stamp_s);
+
   /// Points of these objects were seen through and taken away. `left`: what remains of each. Returns the objects that
   /// are gone by that.
   std::vector<ObjectId> erase(const std::map<ObjectId, std::size_t>& points,
                               const std::map<ObjectId, std::size_t>& left);
 
-  /// A thing that was gone and the same thing, seen since at another place, are one that moved.
-  void reunite(ObjectId gone, ObjectId found);
+  /// A thing that was lost from one place after the other, and the same thing, seen since at another, are one that
+  /// moved; it keeps its first id.
+  void reunite(const std::vector<ObjectId>& lost, ObjectId found);
 
   /// Objects that turned out to be others, since the last call: {from, into}.
   [[nodiscard]] std::vector<std::pair<ObjectId, ObjectId>> takeMerges() { return std::exchange(merges_, {}); }
@@ -84,6 +92,11 @@ class ObjectDatabase {
     int together = 0;  ///< Views in which one detection covered both,
     int apart = 0;     ///< and in which each had its own.
   };
+  struct Handling {
+    core::ClassId classId = 0;
+    Eigen::Vector3f place_m = Eigen::Vector3f::Zero();
+    double stamp_s = 0.0;
+  };
   struct Match {
     double overlap = 0.0;
     std::size_t detection = 0;
@@ -95,11 +108,13 @@ class ObjectDatabase {
   void relate(const std::vector<Evidence>& detections, const std::vector<ObjectId>& assigned,
               const std::map<ObjectId, std::size_t>& inSight);
   void mergeRelated();
+  void markHandled(double stamp_s);
 
   ObjectOptions options_;
   std::map<ObjectId, ObjectRecord> objects_;
   std::map<std::pair<ObjectId, ObjectId>, Relation> relations_;  ///< The lesser id first.
   std::vector<std::pair<ObjectId, ObjectId>> merges_;
+  std::vector<Handling> handlings_;  ///< Of the last seconds.
 };
 
 }  // namespace wardslam::mapping
