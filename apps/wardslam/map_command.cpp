@@ -11,6 +11,7 @@
 
 #include "map_export_command.h"
 #include "map_report.h"
+#include "stored_map.h"
 #include "support/table.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
@@ -93,14 +94,13 @@ mapping::ObjectFilter filterOf(const MapArguments& arguments, const mapping::Sem
 }
 
 void info(const MapArguments& arguments) {
-  const auto file = MapFile::open(arguments.file);
-  const auto info = file.info();
-  const auto plan = file.read(CloudPart::LeaveOut).floorPlan;
+  const auto info = MapFile::open(arguments.file).info();
+  const auto plan = readStoredMap(arguments.file, CloudPart::LeaveOut).floorPlan;
   show(arguments, toJson(info, plan), [&](std::ostream& out) { print(out, info, plan); });
 }
 
 void objects(const MapArguments& arguments) {
-  const auto map = MapFile::open(arguments.file).read(CloudPart::LeaveOut);
+  const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
   const mapping::Query query(map);
   const auto found = query.objects(filterOf(arguments, map));
   show(arguments, toJson(found, map.labels), [&](std::ostream& out) { print(out, found, map.labels); });
@@ -115,7 +115,7 @@ std::optional<mapping::NearObject> findNearest(const MapArguments& arguments, co
 }
 
 void nearest(const MapArguments& arguments) {
-  const auto map = MapFile::open(arguments.file).read(CloudPart::LeaveOut);
+  const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
   const mapping::Query query(map);
   const auto found = findNearest(arguments, query, filterOf(arguments, map));
   nlohmann::ordered_json json = {{"object", nullptr}, {"distance", nullptr}, {"along_floor", arguments.alongFloor}};
@@ -134,21 +134,21 @@ void nearest(const MapArguments& arguments) {
 }
 
 void at(const MapArguments& arguments) {
-  const auto map = MapFile::open(arguments.file).read(CloudPart::LeaveOut);
+  const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
   const mapping::Query query(map);
   const auto place = query.at(Eigen::Vector3d(arguments.point_m.data()));
   show(arguments, toJson(place, map.labels), [&](std::ostream& out) { print(out, place, map.labels); });
 }
 
 void zones(const MapArguments& arguments) {
-  const auto map = MapFile::open(arguments.file).read(CloudPart::LeaveOut);
+  const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
   const mapping::Query query(map);
   show(arguments, zonesJson(map, query), [&](std::ostream& out) { printZones(out, map, query); });
 }
 
 void diff(const MapArguments& arguments) {
-  const auto before = MapFile::open(arguments.file).read(CloudPart::LeaveOut);
-  const auto after = MapFile::open(arguments.other).read(CloudPart::LeaveOut);
+  const auto before = readStoredMap(arguments.file, CloudPart::LeaveOut);
+  const auto after = readStoredMap(arguments.other, CloudPart::LeaveOut);
   const auto difference = mapping::difference(before, after);
   show(arguments, toJson(difference, after.labels), [&](std::ostream& out) { print(out, difference, after.labels); });
 }

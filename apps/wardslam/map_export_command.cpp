@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
+#include "stored_map.h"
 #include "support/program.h"
 #include "wardslam/storage/map_export.h"
-#include "wardslam/storage/map_file.h"
 
 namespace wardslam::apps {
 namespace {
@@ -43,7 +43,7 @@ struct ExportArguments {
 
 void exportAll(const ExportArguments& arguments) {
   if (arguments.files == ExportArguments().files) throw UsageError("map export needs a format, such as --ply FILE");
-  const SemanticMap map = storage::MapFile::open(arguments.map).read();
+  const SemanticMap map = readStoredMap(arguments.map, storage::CloudPart::Include);
   for (std::size_t i = 0; i < kFormats.size(); ++i) {
     if (arguments.files.at(i).empty()) continue;
     kFormats.at(i).write(map, arguments.files.at(i));

@@ -18,6 +18,7 @@
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/pipeline/zone_watch.h"
 #include "wardslam/sources/observation_source.h"
+#include "wardslam/storage/map_file_writer.h"
 
 namespace wardslam::apps {
 namespace {
@@ -89,6 +90,7 @@ void requireSoundInput(const sources::ObservationSource& source, const pipeline:
 bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   InputTrouble trouble;
   const auto source = sources::openSource(run.input, sourceOptions(run, trouble));
+  std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
   pipeline::SlamSystem slam(run.options);
   std::optional<DynamicTruth> truth;
   if (!run.dynamicTruth.empty()) truth.emplace(run.dynamicTruth);
@@ -104,6 +106,10 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   slam.addObserver(pictures);
   if (truth) slam.addObserver(*truth);
 
+  if (slam.scene() != nullptr) {
+    mapFile.emplace(run.out / "map.wardmap", storage::MapHeader{slam.labelSpace(), slam.configuration()});
+    slam.scene()->writeTo(*mapFile);
+  }
   std::exception_ptr failure;
   try {
     processAll(*source, slam, statistics, trouble, run, interruption);
@@ -111,6 +117,13 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
     failure = std::current_exception();  // what went well until then is written first
   }
   slam.finish();
+  if (mapFile) {
+    try {
+      mapFile->finish(slam.scene()->finish(), slam.map());
+    } catch (const core::InputError&) {
+      if (!failure) failure = std::current_exception();
+    }
+  }
   const bool isInterrupted = interruption.requested();
   folder.finish({statistics, zoneWatch, source->damage(), slam, truth ? &*truth : nullptr, isInterrupted,
                  run.options.deterministic});

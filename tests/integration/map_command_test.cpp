@@ -107,6 +107,14 @@ TEST_F(MapCommandTest, InfoTellsHowMuchTheMapHolds) {
   EXPECT_THAT(map({"info"}).out, HasSubstr("1970-01-01 00:16:40 UTC"));
 }
 
+TEST_F(MapCommandTest, TheFloorPlanOfAKilledRunIsMadeUpFor) {
+  auto ward = makeWard();
+  ward.floorPlan = {};
+  storage::MapFile::create(path_).write(storage::everythingOf(ward));
+  EXPECT_GT(mapJson({"info"})["floor_free_m2"].get<double>() + mapJson({"info"})["floor_occupied_m2"].get<double>(),
+            0.0);
+}
+
 TEST_F(MapCommandTest, DiffTellsWhatMovedIsGoneAndIsNew) {
   auto later = makeWard();
   later.objects[1].centroid_m.x() += 1.0;

@@ -12,6 +12,7 @@
 
 #include "cli_test_support.h"
 #include "room_recording.h"
+#include "wardslam/storage/map_file.h"
 
 namespace wardslam {
 namespace {
@@ -102,7 +103,8 @@ TEST_F(RunCommand, WritesTrajectorySummaryAndConfiguration) {
 
   std::set<std::string> files;
   for (const auto& file : fs::directory_iterator(out)) files.insert(file.path().filename());
-  EXPECT_EQ(files, (std::set<std::string>{"config.yaml", "summary.json", "trajectory.txt", "trajectory_live.txt"}));
+  EXPECT_EQ(files, (std::set<std::string>{"config.yaml", "map.wardmap", "objects.json", "summary.json",
+                                          "trajectory.txt", "trajectory_live.txt"}));
 }
 
 TEST_F(RunCommand, TheTrajectoryIsTheTruth) {
@@ -115,6 +117,19 @@ TEST_F(RunCommand, TheTrajectoryIsTheTruth) {
   EXPECT_EQ(evaluation.at("coverage"), 1.0);
   EXPECT_THAT(trajectory().front(), MatchesRegex("1000.000000( -?0.000000000){6} 1.000000000"))
       << "it starts where it is told";
+}
+
+TEST_F(RunCommand, TheMapHoldsWhatWasSeen) {
+  const test::RoomRecording room(kImages);
+  ASSERT_EQ(run(room.path()).exitCode, 0);
+  const auto file = storage::MapFile::open(out / "map.wardmap");
+  EXPECT_THAT(file.check(), IsEmpty());
+  EXPECT_EQ(file.info().keyframes, summary().at("keyframes").get<std::size_t>());
+  EXPECT_EQ(file.readViews().size(), file.info().keyframes);
+  EXPECT_GT(file.info().trackingPoints, 100U);
+  EXPECT_GT(file.info().cloudPoints, 100U);
+  EXPECT_FALSE(file.read().floorPlan.cells.empty());
+  EXPECT_EQ(file.header().options, test::readText(out / "config.yaml"));
 }
 
 TEST_F(RunCommand, ReadsARawlogToTheSamePoses) {
@@ -209,8 +224,10 @@ TEST_F(RunCommand, DeterministicRunsAreByteEqual) {
   const test::RoomRecording room(kImages);
   ASSERT_EQ(run(room.path(), {"--masks", room.masks(), "--deterministic"}).exitCode, 0);
   const std::string once = test::readText(out / "trajectory.txt");
+  const std::string map = test::readText(out / "map.wardmap");
   ASSERT_EQ(run(room.path(), {"--masks", room.masks(), "--deterministic"}).exitCode, 0);
   EXPECT_EQ(test::readText(out / "trajectory.txt"), once);
+  EXPECT_TRUE(test::readText(out / "map.wardmap") == map);
   EXPECT_TRUE(summary().at("deterministic").get<bool>());
 }
 

@@ -29,16 +29,27 @@ SceneKeeper::SceneKeeper(std::unique_ptr<mapping::MapBuilder> builder, const Opt
 
 void SceneKeeper::update(const core::Frame& frame, const odometry::OdometryResult& odometry,
                          const std::vector<odometry::MapUpdate>& updates) {
-  if (odometry.keyframe) post([keyframe = odometry.keyframe](mapping::MapBuilder& b) { b.addKeyframe(*keyframe); });
+  if (odometry.keyframe) add(odometry.keyframe);
   for (const odometry::MapUpdate& found : updates) apply(found);
-  if (!showsSomethingNew(frame, odometry)) return;
+  if (showsSomethingNew(frame, odometry)) addView(frame, odometry);
+  if (odometry.keyframe && writer_ != nullptr) {
+    post([this](mapping::MapBuilder& b) { profiler_.time("storage.write", [&] { writer_->write(b); }); });
+  }
+}
+
+void SceneKeeper::add(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
+  post([keyframe, writer = writer_](mapping::MapBuilder& b) {
+    b.addKeyframe(*keyframe);
+    if (writer != nullptr) writer->add(keyframe);
+  });
+}
+
+void SceneKeeper::addView(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   lastView_ = {frame.stamp_s, odometry.T_map_cam};
-  const bool isKeyframe = odometry.keyframe != nullptr;
   auto work = [view = viewOf(frame, odometry), &profiler = profiler_](mapping::MapBuilder& b) {
     profiler.time("mapping.add", [&] { b.add(view); });
   };
-  async_ ? async_->postView(std::move(work), isKeyframe) : work(*builder_);
-  if (isKeyframe && onKeyframe_) post([listener = onKeyframe_](mapping::MapBuilder& b) { listener(b); });
+  async_ ? async_->postView(std::move(work), odometry.keyframe != nullptr) : work(*builder_);
 }
 
 bool SceneKeeper::showsSomethingNew(const core::Frame& frame, const odometry::OdometryResult& odometry) const {
@@ -52,11 +63,11 @@ bool SceneKeeper::showsSomethingNew(const core::Frame& frame, const odometry::Od
 }
 
 void SceneKeeper::apply(const odometry::MapUpdate& update) {
-  if (update.T_map_cam.empty() && !update.joined) return;
-  odometry::MapUpdate poses;
-  poses.T_map_cam = update.T_map_cam;
-  poses.joined = update.joined;
-  post([poses = std::move(poses)](mapping::MapBuilder& b) { b.apply(poses); });
+  if (writer_ == nullptr && update.T_map_cam.empty() && !update.joined) return;
+  post([update, writer = writer_](mapping::MapBuilder& b) {
+    b.apply(update);
+    if (writer != nullptr) writer->apply(update);
+  });
 }
 
 void SceneKeeper::post(std::function<void(mapping::MapBuilder&)> work) {

@@ -160,6 +160,18 @@ void writePoints(SQLite::Database& database, const MapChanges& changes) {
   for (const auto& [point, p_map_m] : changes.p_map_m) (ParameterBinder(move) << p_map_m << point).run();
 }
 
+void replaceGraph(SQLite::Database& database, const GraphContent& graph) {
+  database.exec("DELETE FROM sightings; DELETE FROM points");
+  SQLite::Statement pointRow(database, "INSERT INTO points VALUES (?, ?,?,?)");
+  for (const auto& [point, p_map_m] : graph.p_map_m) (ParameterBinder(pointRow) << point << p_map_m).run();
+  SQLite::Statement sightingRow(database, "INSERT INTO sightings VALUES (?,?,?)");
+  for (const auto& [keyframe, sightings] : graph.sightings) {
+    for (const auto& [point, keypoint] : sightings) {
+      (ParameterBinder(sightingRow) << keyframe << point << std::uint64_t{keypoint}).run();
+    }
+  }
+}
+
 void writeCloud(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement replace(database, "INSERT OR REPLACE INTO cloud_tiles VALUES (?,?,?)");
   SQLite::Statement remove(database, "DELETE FROM cloud_tiles WHERE keyframe = ?");
@@ -235,6 +247,7 @@ void writeChanges(SQLite::Database& database, const MapChanges& changes) {
   writeKeyframes(database, changes);
   writeViews(database, changes);
   writePoints(database, changes);
+  if (changes.graph) replaceGraph(database, *changes.graph);
   for (const auto& loop : changes.loops) writeEdge(database, "loop", loop);
   writeCloud(database, changes);
   removeObjects(database, changes);

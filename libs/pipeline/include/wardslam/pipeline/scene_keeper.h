@@ -11,6 +11,7 @@
 #include "wardslam/mapping/async_map_builder.h"
 #include "wardslam/mapping/map_builder.h"
 #include "wardslam/odometry/odometry.h"
+#include "wardslam/storage/map_file_writer.h"
 
 namespace wardslam::pipeline {
 
@@ -18,9 +19,6 @@ namespace wardslam::pipeline {
 /// builder works at once, in the calling thread (repeatable), or in a thread behind, so that tracking never waits.
 class SceneKeeper {
  public:
-  /// Hears, in the thread the builder works in, that a keyframe was worked in: the time to write what changed.
-  using OnKeyframe = std::function<void(mapping::MapBuilder&)>;
-
   struct Options {
     mapping::ViewOptions views;
     bool inBackground = true;
@@ -30,8 +28,9 @@ class SceneKeeper {
   /// Time is measured as "mapping.add". The profiler must outlive this object.
   SceneKeeper(std::unique_ptr<mapping::MapBuilder> builder, const Options& options, core::Profiler& profiler);
 
-  /// Before the first frame.
-  void onKeyframe(OnKeyframe listener) { onKeyframe_ = std::move(listener); }
+  /// Before the first frame: has every keyframe written when it is worked in, in the thread the builder works in, as
+  /// "storage.write". The writer must outlive this object.
+  void writeTo(storage::MapFileWriter& writer) { writer_ = &writer; }
 
   /// A frame, where it was taken, and what the keyframe graph found out since the frame before.
   void update(const core::Frame& frame, const odometry::OdometryResult& odometry,
@@ -48,11 +47,13 @@ class SceneKeeper {
 
  private:
   [[nodiscard]] bool showsSomethingNew(const core::Frame& frame, const odometry::OdometryResult& odometry) const;
+  void add(const std::shared_ptr<const odometry::Keyframe>& keyframe);
+  void addView(const core::Frame& frame, const odometry::OdometryResult& odometry);
   void post(std::function<void(mapping::MapBuilder&)> work);
 
   Options options_;
   core::Profiler& profiler_;
-  OnKeyframe onKeyframe_;
+  storage::MapFileWriter* writer_ = nullptr;
   std::unique_ptr<mapping::MapBuilder> builder_;  ///< Null while the thread behind owns it.
   std::unique_ptr<mapping::AsyncMapBuilder> async_;
   std::size_t dropped_ = 0;

@@ -22,6 +22,12 @@ struct LoopEdge {
   Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
 };
 
+/// Who saw which point, and where the points are.
+struct GraphContent {
+  std::map<odometry::KeyframeId, std::vector<odometry::Sighting>> sightings;
+  std::map<odometry::PointId, Eigen::Vector3d> p_map_m;
+};
+
 /// What is to be written together. What is not named stays as it is; maps and lists hold what is new or has changed.
 struct MapChanges {
   std::map<odometry::KeyframeId, mapping::MappedKeyframe> keyframes;
@@ -29,6 +35,7 @@ struct MapChanges {
   std::map<odometry::PointId, Eigen::Vector3d> p_map_m;          ///< Points of the views; unknown ones are left out.
   std::map<odometry::PointId, odometry::PointId> fusedPoints;    ///< The first turned out to be the second.
   std::vector<odometry::PointId> removedPoints;
+  std::optional<GraphContent> graph;  ///< In place of all sightings and points there are.
   std::vector<LoopEdge> loops;
   std::map<odometry::KeyframeId, mapping::SemanticCloudTile> cloud;  ///< A tile without points is removed.
   std::vector<mapping::MapObject> objects;

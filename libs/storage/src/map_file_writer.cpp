@@ -1,0 +1,104 @@
+#include "wardslam/storage/map_file_writer.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "wardslam/core/errors.h"
+
+namespace wardslam::storage {
+namespace {
+
+void merge(mapping::MapParts& into, const mapping::MapParts& parts) {
+  into.keyframes.insert(parts.keyframes.begin(), parts.keyframes.end());
+  into.tiles.insert(parts.tiles.begin(), parts.tiles.end());
+  into.objects.insert(parts.objects.begin(), parts.objects.end());
+}
+
+/// Everything in `parts`; what the map does not have any more was removed.
+MapChanges changesOf(const mapping::SemanticMap& map, const mapping::MapParts& parts) {
+  MapChanges changes = everythingOf(map);
+  changes.floorPlan.reset();
+  for (const auto id : parts.tiles) changes.cloud.try_emplace(id);
+  for (const auto id : parts.objects) {
+    if (map.objects.count(id) == 0) changes.removedObjects.push_back(id);
+  }
+  return changes;
+}
+
+/// The graph of those keyframes that are in the file.
+GraphContent contentOf(const graph::KeyframeGraph& graph, const std::set<odometry::KeyframeId>& keyframes) {
+  GraphContent content;
+  for (const auto& [id, node] : graph.keyframes()) {
+    if (keyframes.count(id) == 0) continue;
+    auto& sightings = content.sightings[id];
+    for (const auto& [point, keypoint] : node.keypointOf) {
+      sightings.push_back({point, keypoint});
+      content.p_map_m[point] = graph.points().at(point).point.p_map_m;
+    }
+  }
+  return content;
+}
+
+}  // namespace
+
+MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader& header)
+    : file_(MapFile::create(file, header)) {}
+
+void MapFileWriter::add(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
+  pending_.views.push_back(keyframe);
+}
+
+void MapFileWriter::apply(const odometry::MapUpdate& update) {
+  for (const auto& [point, p_map_m] : update.p_map_m) pending_.p_map_m[point] = p_map_m;
+  pending_.fusedPoints.insert(update.fusedPoints.begin(), update.fusedPoints.end());
+  pending_.removedPoints.insert(pending_.removedPoints.end(), update.removedPoints.begin(), update.removedPoints.end());
+}
+
+MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
+  merge(unwritten_, builder.takeChanges());
+  MapChanges changes = changesOf(builder.map(unwritten_), unwritten_);
+  if (!written_.empty()) changes.zones.reset();  // they do not change
+  changes.p_map_m = pending_.p_map_m;
+  changes.fusedPoints = pending_.fusedPoints;
+  changes.removedPoints = pending_.removedPoints;
+  std::copy_if(pending_.views.begin(), pending_.views.end(), std::back_inserter(changes.views),
+               [&](const auto& view) { return changes.keyframes.count(view->id) > 0 || written_.count(view->id) > 0; });
+  return changes;
+}
+
+void MapFileWriter::commit(const MapChanges& changes) {
+  file_.write(changes);
+  for (const auto& [id, keyframe] : changes.keyframes) written_.insert(id);
+  unwritten_ = {};
+  auto waiting = std::move(pending_.views);
+  waiting.erase(
+      std::remove_if(waiting.begin(), waiting.end(), [this](const auto& view) { return written_.count(view->id) > 0; }),
+      waiting.end());
+  pending_ = {};
+  pending_.views = std::move(waiting);
+}
+
+void MapFileWriter::write(mapping::MapBuilder& builder) {
+  const MapChanges changes = takeFrom(builder);
+  try {
+    commit(changes);
+  } catch (const core::InputError&) {
+    // Nothing was written and nothing is forgotten; finish() tells if it stays so.
+  }
+}
+
+void MapFileWriter::finish(mapping::MapBuilder& builder, const graph::Mapper& mapper) {
+  MapChanges changes = takeFrom(builder);
+  changes.floorPlan = builder.map().floorPlan;
+  auto keyframes = written_;
+  for (const auto& [id, keyframe] : changes.keyframes) keyframes.insert(id);
+  changes.graph = contentOf(mapper.graph(), keyframes);
+  for (const auto& loop : mapper.loops()) {
+    if (keyframes.count(loop.older) > 0 && keyframes.count(loop.newer) > 0) {
+      changes.loops.push_back({loop.older, loop.newer, loop.T_older_newer});
+    }
+  }
+  commit(changes);
+}
+
+}  // namespace wardslam::storage

@@ -1,0 +1,149 @@
+#include "wardslam/storage/map_file_writer.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "support/hand_made_map.h"
+#include "support/temporary_folder.h"
+#include "wardslam/core/errors.h"
+
+namespace wardslam::storage {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// While it lives, no file can be longer than a kilobyte, as if the disk were full.
+class FullDisk {
+ public:
+  FullDisk() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = 1024;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+/// A graph and a builder that hear of keyframes together, as in a run.
+class MapFileWriterTest : public testing::Test {
+ protected:
+  std::shared_ptr<odometry::Keyframe> insert(odometry::KeyframeId id, std::uint32_t submap) {
+    const auto view = test::makeView(id, ward_);
+    view->submap = submap;
+    for (auto& sighting : view->sightings) {
+      if (id > 1 && sighting.keypoint < 5) sighting.point -= 10;  // seen by the keyframe before, too
+    }
+    builder_.addKeyframe(*view);
+    writer_.add(view);
+    return view;
+  }
+  void insertAndWrite(odometry::KeyframeId id, std::uint32_t submap = 0) {
+    const auto view = insert(id, submap);
+    const auto update = mapper_.insert(view);
+    builder_.apply(update);
+    writer_.apply(update);
+    writer_.write(builder_);
+  }
+  std::vector<odometry::KeyframeId> keyframes() const {
+    std::vector<odometry::KeyframeId> ids;
+    for (const auto& view : MapFile::open(path_).readViews()) ids.push_back(view.id);
+    return ids;
+  }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "map.wardmap";
+  mapping::SemanticMap ward_ = test::makeWard();
+  mapping::MapBuilder builder_{{}, {ward_.labels, {}, mapping::Zones(ward_.zones)}};
+  graph::Mapper mapper_{{}, {}};
+  MapFileWriter writer_{path_, {ward_.labels, "deterministic: true\n"}};
+};
+
+TEST_F(MapFileWriterTest, EveryKeyframeIsInTheFileOnceItIsWritten) {
+  EXPECT_THAT(keyframes(), IsEmpty());
+  insertAndWrite(1);
+  EXPECT_THAT(keyframes(), ElementsAre(1));
+  insertAndWrite(2);
+  EXPECT_THAT(keyframes(), ElementsAre(1, 2));
+  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+  EXPECT_EQ(MapFile::open(path_).read().zones.size(), 2U);
+}
+
+TEST_F(MapFileWriterTest, CorrectedPosesAndPointsFollow) {
+  insertAndWrite(1);
+  insertAndWrite(2);
+  odometry::MapUpdate update;
+  update.T_map_cam[1] = Eigen::Isometry3d(Eigen::Translation3d(1, 2, 3));
+  update.p_map_m[12] = {4, 5, 6};
+  builder_.apply(update);
+  writer_.apply(update);
+  writer_.write(builder_);
+  const auto file = MapFile::open(path_);
+  EXPECT_EQ(file.read().keyframes.at(1).T_map_cam.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(file.readPoints().at(12), Eigen::Vector3d(4, 5, 6));
+}
+
+TEST_F(MapFileWriterTest, WhatASubmapSawWaitsUntilItIsJoined) {
+  insertAndWrite(1, 0);
+  insertAndWrite(2, 1);
+  insertAndWrite(3, 1);
+  EXPECT_THAT(keyframes(), ElementsAre(1));
+  odometry::MapUpdate update;
+  update.joined = odometry::SubmapJoin{1, 0};
+  update.T_map_cam[2] = Eigen::Isometry3d(Eigen::Translation3d(9, 0, 0));
+  builder_.apply(update);
+  writer_.apply(update);
+  writer_.write(builder_);
+  EXPECT_THAT(keyframes(), ElementsAre(1, 2, 3));
+  EXPECT_EQ(MapFile::open(path_).read().keyframes.at(2).T_map_cam.translation().x(), 9.0);
+  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+}
+
+TEST_F(MapFileWriterTest, InTheEndTheFileHoldsTheGraphAsItIs) {
+  for (const odometry::KeyframeId id : {1, 2, 3}) insertAndWrite(id);
+  writer_.finish(builder_, mapper_);
+  const auto file = MapFile::open(path_);
+  const auto views = file.readViews();
+  ASSERT_EQ(views.size(), 3U);
+  for (const auto& view : views) {
+    std::map<odometry::PointId, std::size_t> keypointOf;
+    for (const auto& sighting : view.sightings) keypointOf[sighting.point] = sighting.keypoint;
+    EXPECT_EQ(keypointOf, mapper_.graph().keyframes().at(view.id).keypointOf);
+  }
+  const auto points = file.readPoints();
+  ASSERT_EQ(points.size(), mapper_.graph().points().size());
+  for (const auto& [id, node] : mapper_.graph().points()) EXPECT_EQ(points.at(id), node.point.p_map_m);
+  EXPECT_THAT(file.check(), IsEmpty());
+  EXPECT_EQ(file.header().options, "deterministic: true\n");
+}
+
+TEST_F(MapFileWriterTest, AWriteThatFailsIsMadeUpForLater) {
+  insertAndWrite(1);
+  {
+    const FullDisk full;
+    insertAndWrite(2);
+    EXPECT_THAT(keyframes(), ElementsAre(1));
+    EXPECT_THROW(writer_.finish(builder_, mapper_), core::InputError);
+  }
+  insertAndWrite(3);
+  EXPECT_THAT(keyframes(), ElementsAre(1, 2, 3));
+  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+}
+
+TEST_F(MapFileWriterTest, ThrowsWhereNoFileCanBe) {
+  EXPECT_THROW(MapFileWriter(folder_.path() / "missing" / "map.wardmap", {}), core::InputError);
+}
+
+}  // namespace
+}  // namespace wardslam::storage
