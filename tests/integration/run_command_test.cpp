@@ -12,7 +12,6 @@
 
 #include "cli_test_support.h"
 #include "room_recording.h"
-#include "wardslam/storage/map_file.h"
 
 namespace wardslam {
 namespace {
@@ -117,19 +116,6 @@ TEST_F(RunCommand, TheTrajectoryIsTheTruth) {
   EXPECT_EQ(evaluation.at("coverage"), 1.0);
   EXPECT_THAT(trajectory().front(), MatchesRegex("1000.000000( -?0.000000000){6} 1.000000000"))
       << "it starts where it is told";
-}
-
-TEST_F(RunCommand, TheMapHoldsWhatWasSeen) {
-  const test::RoomRecording room(kImages);
-  ASSERT_EQ(run(room.path()).exitCode, 0);
-  const auto file = storage::MapFile::open(out / "map.wardmap");
-  EXPECT_THAT(file.check(), IsEmpty());
-  EXPECT_EQ(file.info().keyframes, summary().at("keyframes").get<std::size_t>());
-  EXPECT_EQ(file.readViews().size(), file.info().keyframes);
-  EXPECT_GT(file.info().trackingPoints, 100U);
-  EXPECT_GT(file.info().cloudPoints, 100U);
-  EXPECT_FALSE(file.read().floorPlan.cells.empty());
-  EXPECT_EQ(file.header().options, test::readText(out / "config.yaml"));
 }
 
 TEST_F(RunCommand, ReadsARawlogToTheSamePoses) {

@@ -1,5 +1,5 @@
-// Kills runs at random moments. WARDSLAM_KILLS=100 in the environment: so many; WARDSLAM_KILL_RECORDING and
-// WARDSLAM_KILL_MASKS: in this recording instead of a small room.
+// The map a run leaves, also when it is killed at random moments. WARDSLAM_KILLS=100 in the environment: so often;
+// WARDSLAM_KILL_RECORDING and WARDSLAM_KILL_MASKS: in this recording instead of a small room.
 
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -25,6 +25,21 @@ using testing::IsEmpty;
 std::string environment(const char* name, const std::string& otherwise) {
   const char* const value = std::getenv(name);
   return value != nullptr ? value : otherwise;
+}
+
+TEST(FinishedRun, LeavesAMapOfWhatWasSeen) {
+  const RoomRecording room;
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  ASSERT_EQ(runProgram("wardslam", {"run", room.path(), "--out", out.string()}).exitCode, 0);
+  const auto file = storage::MapFile::open(out / "map.wardmap");
+  EXPECT_THAT(file.check(), IsEmpty());
+  EXPECT_GT(file.info().keyframes, 1U);
+  EXPECT_EQ(file.readViews().size(), file.info().keyframes);
+  EXPECT_GT(file.info().trackingPoints, 100U);
+  EXPECT_GT(file.info().cloudPoints, 100U);
+  EXPECT_FALSE(file.read().floorPlan.cells.empty());
+  EXPECT_EQ(file.header().options, readText(out / "config.yaml"));
 }
 
 class KilledRun : public testing::TestWithParam<bool> {
