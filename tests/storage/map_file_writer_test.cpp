@@ -141,6 +141,25 @@ TEST_F(MapFileWriterTest, AWriteThatFailsIsMadeUpForLater) {
   EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
 }
 
+TEST_F(MapFileWriterTest, GoesOnWithAMapThatIsThere) {
+  const auto path = folder_.path() / "earlier.wardmap";
+  {
+    MapFile earlier = MapFile::create(path);
+    MapChanges changes;
+    changes.keyframes[1] = ward_.keyframes.at(1);
+    changes.zones = ward_.zones;
+    earlier.write(changes);
+  }
+  MapFileWriter writer(MapFile::open(path, MapAccess::Write));
+  const auto view = test::makeView(2, ward_);
+  builder_.addKeyframe(*view);
+  writer.add(view);
+  writer.write(builder_);
+  EXPECT_EQ(MapFile::open(path).read().keyframes.size(), 2U);
+  EXPECT_EQ(MapFile::open(path).readViews().size(), 1U);
+  EXPECT_THROW(MapFileWriter(MapFile::open(path)).finish(builder_, mapper_), core::InputError) << "opened for reading";
+}
+
 TEST_F(MapFileWriterTest, ThrowsWhereNoFileCanBe) {
   EXPECT_THROW(MapFileWriter(folder_.path() / "missing" / "map.wardmap", {}), core::InputError);
 }

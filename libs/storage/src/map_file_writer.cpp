@@ -44,6 +44,10 @@ GraphContent contentOf(const graph::KeyframeGraph& graph, const std::set<odometr
 MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader& header)
     : file_(MapFile::create(file, header)) {}
 
+MapFileWriter::MapFileWriter(MapFile file) : file_(std::move(file)) {
+  for (const auto& [id, keyframe] : file_.read(CloudPart::LeaveOut).keyframes) written_.insert(id);
+}
+
 void MapFileWriter::add(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
   pending_.views.push_back(keyframe);
 }

@@ -18,6 +18,9 @@ class MapFileWriter {
   /// Makes an empty map in place of a file that may be there. Throws core::InputError when that cannot be.
   MapFileWriter(const std::filesystem::path& file, const MapHeader& header);
 
+  /// Goes on with the map of an earlier run, opened for writing.
+  explicit MapFileWriter(MapFile file);
+
   /// A new keyframe, and what the graph found out about earlier ones; in the order in which the builder hears of them.
   void add(const std::shared_ptr<const odometry::Keyframe>& keyframe);
   void apply(const odometry::MapUpdate& update);
