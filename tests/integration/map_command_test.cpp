@@ -113,7 +113,7 @@ TEST_F(MapCommandTest, TheFloorPlanOfAKilledRunIsMadeUpFor) {
   ward.cloud.clear();
   mapping::MappedKeyframe keyframe;  // looks along x, and saw 3 m of free floor
   keyframe.T_map_cam.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  keyframe.freeFan_cam_m = {{-1.0F, 1.0F, 3.0F}, {0.0F, 1.0F, 3.0F}, {1.0F, 1.0F, 3.0F}};
+  for (int i = -100; i <= 100; ++i) keyframe.freeFan_cam_m.emplace_back(0.01F * static_cast<float>(i), 0.0F, 3.0F);
   ward.keyframes = {{1, keyframe}};
   storage::MapFile::create(path_).write(storage::everythingOf(ward));
   EXPECT_NEAR(mapJson({"info"})["floor_free_m2"].get<double>(), 3.0, 0.3);  // 3 m far, 2 m wide, half of it
