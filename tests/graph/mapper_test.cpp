@@ -64,7 +64,7 @@ TEST_F(MapperTest, ClosesARound) {
   const auto& update = closings_.front();
   EXPECT_EQ(update.T_map_cam.size(), newer) << "all keyframes so far";
   EXPECT_EQ(update.recalledKeyframes.count(older), 1U);
-  EXPECT_GT(update.fusedPoints.size(), 50U);
+  EXPECT_GT(update.fusedPoints.size(), 25U);
   for (const auto& [from, into] : update.fusedPoints) EXPECT_EQ(walk_.worldPointOf(from), walk_.worldPointOf(into));
   for (const auto& [id, points] : update.recalledKeyframes) {
     for (const PointId point : points) EXPECT_EQ(update.recalledPoints.count(point), 1U);

@@ -1,5 +1,6 @@
 #include "wardslam/graph/mapper.h"
 
+#include <algorithm>
 #include <set>
 
 #include "pose_graph.h"
@@ -121,8 +122,11 @@ std::optional<Loop> Mapper::recognise(KeyframeId newest) const {
   for (const KeyframeId candidate : places_.candidates(features, known)) {
     if (known.count(candidate) != 0) continue;
     const auto place = verification_.placeAround(graph_, candidate);
-    if (auto loop = verification_.verify(graph_, newest, place)) return loop;
+    const bool isTiedAlready =
+        std::any_of(place.begin(), place.end(), [&](KeyframeId id) { return known.count(id) != 0; });
     known.insert(place.begin(), place.end());
+    if (isTiedAlready) continue;
+    if (auto loop = verification_.verify(graph_, newest, place)) return loop;
   }
   return std::nullopt;
 }

@@ -26,6 +26,7 @@ const graph::Mapper& MapKeeper::finish() {
     updates_ = async_->takeUpdates();
     async_.reset();
   }
+  mapper_->adjustAll();
   return *mapper_;
 }
 

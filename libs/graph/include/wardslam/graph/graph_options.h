@@ -45,7 +45,7 @@ struct LoopVerificationOptions {
   int neighbours = 5;
   int min_recognised = 15;
   double search_radius_px = 8.0;
-  int min_inliers = 50;
+  int min_inliers = 30;
   double min_found_fraction = 0.12;
   double max_drift_fraction = 0.05;
   double min_drift_m = 0.3;

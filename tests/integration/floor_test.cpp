@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "cli_test_support.h"
+#include "support/temporary_folder.h"
+#include "wardslam/core/mrpt_compat.h"
+#include "wardslam/sources/observation_source.h"
+#include "wardslam/sources/rawlog_writer.h"
+#include "wardslam/storage/tum_trajectory.h"
+
+/// Long ways, loops and kidnapping, on a small rendering of a floor that is made once.
+namespace wardslam {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kRate_hz = 5.0;
+constexpr double kFirst_s = 1700000000.0;
+constexpr double kGap_s = 2.0;
+
+/// Stamps of a recording in tenths of a second, and where the camera truly was.
+using Truth = std::map<long, Eigen::Isometry3d>;
+long key(double stamp_s) { return std::lround((stamp_s - kFirst_s) * 10); }
+
+struct Outcome {
+  nlohmann::json summary;
+  core::Trajectory trajectory;
+};
+
+class Floor : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::TemporaryFolder>();
+    const auto rendering =
+        test::runProgram("rawlog-synth", {"--scene", "floor", "--no-people", "--rate", "5", "--width", "320",
+                                          "--height", "240", "-o", recording().string()});
+    ASSERT_EQ(rendering.exitCode, 0) << rendering.err;
+    std::ofstream(folder_->path() / "small.yaml") << "features: {key_points: 700}\nmapping: {enabled: false}\n";
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  static fs::path recording() { return folder_->path() / "floor.rawlog"; }
+  static core::Trajectory fullTruth() { return storage::readTumTrajectory(folder_->path() / "floor.groundtruth.txt"); }
+
+  static Outcome run(const fs::path& rawlog) {
+    const fs::path out = folder_->path() / (rawlog.stem().string() + "_out");
+    const auto result =
+        test::runProgram("wardslam", {"run", rawlog.string(), "--config", (folder_->path() / "small.yaml").string(),
+                                      "--filter", "off", "--deterministic", "--out", out.string()});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return {nlohmann::json::parse(test::readText(out / "summary.json")),
+            storage::readTumTrajectory(out / "trajectory.txt")};
+  }
+
+  /// A recording of the frames [begin, end) of the floor, piece after piece, as if the camera had been carried from
+  /// one to the next within kGap_s.
+  static Truth cut(const fs::path& rawlog, const std::vector<std::pair<std::size_t, std::size_t>>& pieces) {
+    const auto truth = fullTruth();
+    std::vector<std::shared_ptr<mrpt::obs::CObservation3DRangeScan>> frames;
+    const auto source = sources::openSource(recording(), {});
+    while (auto frame = source->next()) frames.push_back(frame);
+    sources::RawlogWriter writer(rawlog, sources::ImageCoding::Jpeg);
+    Truth cutTruth;
+    double stamp_s = kFirst_s;
+    for (const auto& [begin, end] : pieces) {
+      for (std::size_t i = begin; i < end; ++i) {
+        frames.at(i)->timestamp = core::toMrptTime(stamp_s);
+        writer.write(*frames.at(i));
+        cutTruth[key(stamp_s)] = truth.at(i).T_map_cam;
+        stamp_s += 1 / kRate_hz;
+      }
+      stamp_s += kGap_s - 1 / kRate_hz;
+    }
+    writer.commit();
+    return cutTruth;
+  }
+
+  /// Distance between where the camera was, seen from the first pose, and where it is said to have been.
+  static double error_m(const Truth& truth, const core::StampedPose& first, const core::StampedPose& pose) {
+    const Eigen::Isometry3d T_first_cam = first.T_map_cam.inverse() * pose.T_map_cam;
+    const Eigen::Isometry3d T_first_cam_true = truth.at(key(first.stamp_s)).inverse() * truth.at(key(pose.stamp_s));
+    return (T_first_cam.translation() - T_first_cam_true.translation()).norm();
+  }
+
+  static std::unique_ptr<test::TemporaryFolder> folder_;
+};
+
+std::unique_ptr<test::TemporaryFolder> Floor::folder_;
+
+TEST_F(Floor, RoundIsClosedWhereItBegan) {
+  Truth truth;
+  for (const auto& pose : fullTruth()) truth[key(pose.stamp_s)] = pose.T_map_cam;
+  const Outcome closed = run(recording());
+  EXPECT_EQ(closed.summary.at("coverage"), 1.0);
+  EXPECT_GE(closed.summary.at("loops_closed"), 1);
+  ASSERT_EQ(closed.trajectory.size(), 300U);
+  EXPECT_LT(error_m(truth, closed.trajectory.front(), closed.trajectory.back()), 0.05);
+  for (const auto& pose : closed.trajectory) {
+    EXPECT_LT(error_m(truth, closed.trajectory.front(), pose), 0.25) << "a false loop would bend the way";
+  }
+}
+
+TEST_F(Floor, FindsItselfAgainInTheMapItKnows) {
+  // Carried back by 3 m, along a corridor it has just driven through.
+  const fs::path rawlog = folder_->path() / "carried_back.rawlog";
+  const Truth truth = cut(rawlog, {{0, 36}, {10, 30}});
+  const Outcome carried = run(rawlog);
+  ASSERT_FALSE(carried.trajectory.empty());
+  const double carriedAt_s = kFirst_s + 35 / kRate_hz + kGap_s;
+  int framesUntilFound = -1;
+  for (const auto& pose : carried.trajectory) {
+    if (pose.stamp_s < carriedAt_s - 1e-3) continue;
+    if (framesUntilFound < 0) framesUntilFound = static_cast<int>(std::lround((pose.stamp_s - carriedAt_s) * kRate_hz));
+    EXPECT_LT(error_m(truth, carried.trajectory.front(), pose), 0.05) << pose.stamp_s;
+  }
+  EXPECT_GE(framesUntilFound, 0) << "never found";
+  EXPECT_LE(framesUntilFound, 10);
+}
+
+TEST_F(Floor, MapsAnUnknownPlaceAndJoinsItToTheKnownOne) {
+  // Carried from the corridor into a room it has not seen; comes back to the corridor on its own wheels.
+  const fs::path rawlog = folder_->path() / "carried_away.rawlog";
+  const Truth truth = cut(rawlog, {{0, 30}, {110, 300}});
+  const Outcome carried = run(rawlog);
+  EXPECT_EQ(carried.summary.at("submaps_joined"), 1);
+  ASSERT_GE(carried.trajectory.size(), truth.size() - 20U) << "all but the frames until a new map was begun";
+  double worst_m = 0.0;
+  for (const auto& pose : carried.trajectory)
+    worst_m = std::max(worst_m, error_m(truth, carried.trajectory.front(), pose));
+  EXPECT_LT(worst_m, 0.25);
+}
+
+}  // namespace
+}  // namespace wardslam
