@@ -4,6 +4,7 @@ find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs features2d ca
 find_package(mrpt-obs 2.5 REQUIRED)
 find_package(mrpt-system REQUIRED)
 find_package(mrpt-opengl REQUIRED)
+find_package(mrpt-gui REQUIRED)
 find_package(mrpt-graphs REQUIRED)
 find_package(mrpt-io REQUIRED)
 find_package(mrpt-maps REQUIRED)

@@ -11,6 +11,7 @@
 
 #include "map_export_command.h"
 #include "map_report.h"
+#include "map_view_command.h"
 #include "stored_map.h"
 #include "support/table.h"
 #include "wardslam/core/errors.h"
@@ -213,6 +214,7 @@ void addMapCommand(CLI::App& app) {
       ->add_option("OTHER", arguments->other, "the later map (.wardmap), in the same map frame")
       ->required();
   addMapExportCommand(*command);
+  addMapViewCommand(*command);
   addVerb(*command, "check", "Whether the whole file can be read and holds together", check, arguments);
 }
 

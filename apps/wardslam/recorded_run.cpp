@@ -85,13 +85,25 @@ void requireSoundInput(const sources::ObservationSource& source, const pipeline:
   }
 }
 
+storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamSystem& slam) {
+  if (!run.map.empty()) return storage::MapFileWriter(storage::MapFile::open(run.map, storage::MapAccess::Write));
+  return {run.out / "map.wardmap", storage::MapHeader{slam.labelSpace(), slam.configuration()}};
+}
+
+/// Without a place in common, the poses of the run say nothing about the map.
+void requireRecognition(const RecordedRun& run, const pipeline::SlamSystem& slam) {
+  if (run.map.empty() || slam.recognisedAt_s()) return;
+  throw core::InputError(run.map.string() + ": no place of this map was recognised in " + run.input.string() +
+                         "; the trajectory is in a frame of its own and the map is as it was");
+}
+
 }  // namespace
 
 bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   InputTrouble trouble;
   const auto source = sources::openSource(run.input, sourceOptions(run, trouble));
   std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
-  pipeline::SlamSystem slam(run.options);
+  pipeline::SlamSystem slam(run.options, run.map.empty() ? pipeline::EarlierMap{} : pipeline::readEarlierMap(run.map));
   std::optional<DynamicTruth> truth;
   if (!run.dynamicTruth.empty()) truth.emplace(run.dynamicTruth);
   RunFolder folder(run.out);
@@ -107,7 +119,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   if (truth) slam.addObserver(*truth);
 
   if (slam.scene() != nullptr) {
-    mapFile.emplace(run.out / "map.wardmap", storage::MapHeader{slam.labelSpace(), slam.configuration()});
+    mapFile.emplace(openMapFile(run, slam));
     slam.scene()->writeTo(*mapFile);
   }
   std::exception_ptr failure;
@@ -130,6 +142,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   if (failure) std::rethrow_exception(failure);
   if (!isInterrupted) slam.requireSoundSetup();
   requireSoundInput(*source, statistics, trouble, run.input);
+  if (!isInterrupted) requireRecognition(run, slam);
   if (truth && statistics.frames() > 0 && truth->frames() == 0) {
     throw core::InputError(run.dynamicTruth.string() +
                            ": no image belongs to any frame; they must be named by the stamps of the colour images");

@@ -16,6 +16,8 @@ struct RecordedRun {
   std::filesystem::path camera;  ///< Empty: that of the recording.
   std::filesystem::path out;
   pipeline::SlamOptions options;
+  std::filesystem::path map;  ///< Goes on in this map; empty: begins one, map.wardmap in `out`.
+  bool localize = false;      ///< Only tracks in `map`, without changing it.
   std::optional<std::size_t> maxFrames;
   std::filesystem::path dynamicTruth;  ///< See DynamicTruth; empty: none.
   bool realtime = false;               ///< Frames come no faster than they were recorded.

@@ -12,6 +12,8 @@ namespace {
 
 struct RunArguments {
   RecordingArguments recording;
+  std::filesystem::path map;
+  bool localize = false;
   bool realtime = false;
   std::size_t pictureInterval = 0;
 };
@@ -23,6 +25,9 @@ void run(const RunArguments& arguments) {
   run.camera = recording.camera;
   run.out = recording.out;
   run.options = effectiveOptions(recording);
+  run.map = arguments.map;
+  run.localize = arguments.localize;
+  if (run.localize) run.options.mapping.enabled = false;
   run.maxFrames = recording.maxFrames;
   run.dynamicTruth = recording.dynamicTruth;
   run.realtime = arguments.realtime;
@@ -41,6 +46,12 @@ void addRunCommand(CLI::App& app) {
                    "how to leave out what moves: by masks and geometry (on), by geometry alone, not at all; on where "
                    "there are masks, else geometric")
       ->check(CLI::IsMember({"on", "geometric", "off"}));
+  auto* map = command
+                  ->add_option("--map", arguments->map,
+                               "go on in this map (.wardmap), which grows; the camera may start anywhere in it")
+                  ->check(CLI::ExistingFile);
+  command->add_flag("--localize", arguments->localize, "only find the camera's place in the map, without changing it")
+      ->needs(map);
   command->add_flag("--realtime", arguments->realtime, "frames come no faster than they were recorded");
   command->add_flag("--deterministic", arguments->recording.deterministic, "same input, same bytes out");
   command

@@ -87,6 +87,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier)
       filters_(options.filters, {segmenter_, knowledge_, options.deterministic}),
       odometry_(options.odometry, continuationOf(earlier.graph)),
       map_(makeMapper(options, earlier.graph), !options.deterministic) {
+  hasEarlierMap_ = !earlier.graph.keyframes.empty();
   requireValid(options.map_frame);
   requireSameNames(labels_, earlier.semantic);
   addObserver(trajectory_);
@@ -108,7 +109,11 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   filters_.end(frame, odometry.pose());
   if (odometry.keyframe) profiler_.time("graph.insert", [&] { map_.insert(odometry.keyframe); });
   const auto updates = map_.takeUpdates();
-  for (const auto& update : updates) odometry_.apply(update);
+  for (const auto& update : updates) {
+    odometry_.apply(update);
+    if (hasEarlierMap_ && !recognisedAt_s_ && update.joined && update.joined->into == 0)
+      recognisedAt_s_ = frame.stamp_s;
+  }
   if (scene_) scene_->update(frame, odometry, updates);
   for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
   return odometry;

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "wardslam/graph/mapper.h"
+#include <filesystem>
+
+#include "wardslam/graph/saved_graph.h"
 #include "wardslam/mapping/semantic_map.h"
 
 namespace wardslam::pipeline {
@@ -11,5 +13,8 @@ struct EarlierMap {
   graph::SavedGraph graph;
   mapping::SemanticMap semantic;  ///< Without keyframes: only where the camera is matters.
 };
+
+/// Throws core::InputError naming the file when it is damaged or holds nothing a camera could be recognised by.
+[[nodiscard]] EarlierMap readEarlierMap(const std::filesystem::path& file);
 
 }  // namespace wardslam::pipeline

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ class SlamSystem {
   /// The work on the semantic map; null when `mapping.enabled` is false.
   [[nodiscard]] SceneKeeper* scene() const { return scene_.get(); }
 
+  /// Time of the first image from which on the earlier map was recognised. Nothing: it was not, or there is none.
+  [[nodiscard]] std::optional<double> recognisedAt_s() const { return recognisedAt_s_; }
+
   /// Must outlive this object.
   void addObserver(FrameObserver& observer) { observers_.push_back(&observer); }
 
@@ -74,6 +78,8 @@ class SlamSystem {
   odometry::Odometry odometry_;
   MapKeeper map_;
   const graph::Mapper* finishedMap_ = nullptr;
+  bool hasEarlierMap_ = false;
+  std::optional<double> recognisedAt_s_;
   TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;
   core::Profiler profiler_;

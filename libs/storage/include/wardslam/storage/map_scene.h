@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+
+#include "wardslam/mapping/semantic_map.h"
+
+namespace mrpt::opengl {
+class COpenGLScene;
+}
+
+namespace wardslam::storage {
+
+/// The map for MRPT's viewers: cloud, boxes with names around what stands there, zones and the way of the camera.
+[[nodiscard]] std::shared_ptr<mrpt::opengl::COpenGLScene> makeScene(const mapping::SemanticMap& map);
+
+}  // namespace wardslam::storage

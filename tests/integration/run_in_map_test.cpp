@@ -1,0 +1,84 @@
+// Runs that go on in the map of an earlier one, and looking at what they made.
+
+#include <gmock/gmock.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+
+#include "integration/cli_test_support.h"
+#include "integration/room_recording.h"
+#include "support/temporary_folder.h"
+#include "wardslam/storage/map_file.h"
+
+namespace wardslam::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string secondLine(const fs::path& file) {
+  std::istringstream text(readText(file));
+  std::string line;
+  std::getline(text, line);
+  std::getline(text, line);
+  return line;
+}
+
+class RunInMap : public testing::Test {
+ protected:
+  RunInMap() {
+    const auto first = run({"--start-pose", "5 6 7 0 0 0 1", "--max-frames", "8"}, "first");
+    EXPECT_EQ(first.exitCode, 0) << first.err;
+  }
+
+  CommandResult run(const std::vector<std::string>& more, const std::string& out) const {
+    std::vector<std::string> arguments = {"run",   room_.path(), "--filter", "off", "--deterministic",
+                                          "--out", path(out)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runProgram("wardslam", arguments);
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] std::string map() const { return path("first/map.wardmap"); }
+
+  const RoomRecording room_;
+  const TemporaryFolder folder_;
+};
+
+TEST_F(RunInMap, GrowsTheMap) {
+  const auto before = storage::MapFile::open(map()).info();
+  const auto result = run({"--map", map()}, "second");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const auto file = storage::MapFile::open(map());
+  EXPECT_GT(file.info().keyframes, before.keyframes);
+  EXPECT_THAT(file.check(), IsEmpty());
+  EXPECT_FALSE(fs::exists(path("second/map.wardmap"))) << "the map is where it was";
+}
+
+TEST_F(RunInMap, LocalisesInItsFrameWithoutChangingIt) {
+  const std::string before = readText(map());
+  const auto result = run({"--map", map(), "--localize"}, "second");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(readText(map()), before);
+  EXPECT_THAT(secondLine(path("second/trajectory.txt")), testing::MatchesRegex("1000.000000 (5.00|4.99).*"))
+      << "where the first run began";
+}
+
+TEST_F(RunInMap, NeedsAMap) {
+  EXPECT_EQ(run({"--localize"}, "second").exitCode, 2);
+  const auto absent = run({"--map", path("absent.wardmap")}, "second");
+  EXPECT_EQ(absent.exitCode, 2);
+  EXPECT_THAT(absent.err, HasSubstr("absent.wardmap"));
+  const auto foreign = run({"--map", room_.groundTruth().string()}, "second");
+  EXPECT_EQ(foreign.exitCode, 1);
+  EXPECT_THAT(foreign.err, HasSubstr("groundtruth.txt"));
+}
+
+TEST_F(RunInMap, ItsMapCanBeLookedAt) {
+  const auto result = runProgram("wardslam", {"map", "view", map(), "--picture", path("map.png")});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_FALSE(cv::imread(path("map.png")).empty());
+}
+
+}  // namespace
+}  // namespace wardslam::test
