@@ -19,6 +19,7 @@
 #include "wardslam/pipeline/zone_watch.h"
 #include "wardslam/sources/observation_source.h"
 #include "wardslam/storage/map_file_writer.h"
+#include "wardslam/viewer/live_window.h"
 
 namespace wardslam::apps {
 namespace {
@@ -116,6 +117,8 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   slam.addObserver(zoneWatch);
   slam.addObserver(folder);
   slam.addObserver(pictures);
+  std::optional<viewer::LiveWindow> window;
+  if (run.view) slam.addObserver(window.emplace(slam.labelSpace()));
   if (truth) slam.addObserver(*truth);
 
   if (slam.scene() != nullptr) {

@@ -21,6 +21,7 @@ struct RecordedRun {
   std::optional<std::size_t> maxFrames;
   std::filesystem::path dynamicTruth;  ///< See DynamicTruth; empty: none.
   bool realtime = false;               ///< Frames come no faster than they were recorded.
+  bool view = false;                   ///< Shows the run in a window.
   std::size_t pictureInterval = 0;     ///< Every so many frames a picture; 0: none.
   std::string progressUnit = "frame";
 };

@@ -15,6 +15,7 @@ struct RunArguments {
   std::filesystem::path map;
   bool localize = false;
   bool realtime = false;
+  bool view = false;
   std::size_t pictureInterval = 0;
 };
 
@@ -31,6 +32,7 @@ void run(const RunArguments& arguments) {
   run.maxFrames = recording.maxFrames;
   run.dynamicTruth = recording.dynamicTruth;
   run.realtime = arguments.realtime;
+  run.view = arguments.view;
   run.pictureInterval = arguments.pictureInterval;
   perform(run, InterruptionGuard());
 }
@@ -53,6 +55,7 @@ void addRunCommand(CLI::App& app) {
   command->add_flag("--localize", arguments->localize, "only find the camera's place in the map, without changing it")
       ->needs(map);
   command->add_flag("--realtime", arguments->realtime, "frames come no faster than they were recorded");
+  command->add_flag("--view", arguments->view, "show the run in a window");
   command->add_flag("--deterministic", arguments->recording.deterministic, "same input, same bytes out");
   command
       ->add_option("--pictures", arguments->pictureInterval,

@@ -18,6 +18,20 @@ run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer ${WORK}/prefix)
 
+# A filter of somebody else's, built outside and loaded by the installed program.
+run(${CMAKE_COMMAND} -S ${EXAMPLES}/range_filter -B ${WORK}/range_filter/build -D CMAKE_PREFIX_PATH=${WORK}/prefix
+    -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
+run(${CMAKE_COMMAND} --build ${WORK}/range_filter/build)
+file(COPY ${EXAMPLES}/range_filter/range_filter.yaml DESTINATION ${WORK}/range_filter)
+run(${WORK}/prefix/bin/rawlog-synth -o ${WORK}/ward.rawlog --seconds 0.3 --rate 10)
+run(${WORK}/prefix/bin/wardslam run ${WORK}/ward.rawlog --config ${WORK}/range_filter/range_filter.yaml
+    --out ${WORK}/run)
+file(READ ${WORK}/run/summary.json summary)
+string(JSON share GET "${summary}" dynamic_keypoint_fraction)
+if(share LESS_EQUAL 0 OR share GREATER_EQUAL 1)
+  message(FATAL_ERROR "the range filter left out a share of ${share} of the key points")
+endif()
+
 # Installed programs start from their new place and find their libraries.
 file(GLOB programs ${WORK}/prefix/bin/*)
 foreach(program IN LISTS programs)

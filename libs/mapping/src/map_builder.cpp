@@ -148,8 +148,7 @@ void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_m
     changes_.keyframes.insert(id);
   }
   for (auto& [submap, part] : parts_) {
-    for (const auto& [id, count] : part.cloud.pointCounts()) touched_.insert(id);
-    part.cloud.movePoses(T_map_cam);
+    touched_.merge(part.cloud.movePoses(T_map_cam));
   }
 }
 
@@ -351,6 +350,9 @@ SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
 }
 
 SemanticMap MapBuilder::Impl::map() {
+  if (first_) {  // small corrections, too
+    for (const auto& [id, count] : part(*first_).cloud.pointCounts()) touched_.insert(id);
+  }
   refresh();
   MapParts all;
   for (const auto& [id, keyframe] : keyframes_) {

@@ -3,8 +3,12 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
 
+#include "cell_hash.h"
 #include "euclidean_clusters.h"
+#include "view_samples.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -12,14 +16,38 @@ namespace {
 constexpr double kTrim = 0.003;
 constexpr double kLeastPart = 0.1;
 
+/// One point for all in a cell, so that clustering takes no longer for a dense cloud.
+struct Thinned {
+  std::vector<Eigen::Vector3f> points_m;
+  std::vector<std::vector<std::size_t>> members;  ///< Of each point, those it stands for.
+};
+
+Thinned thin(const std::vector<Eigen::Vector3f>& points_m, float cell_m) {
+  Thinned thinned;
+  std::unordered_map<std::uint64_t, std::size_t, CellHash> pointOf;
+  for (std::size_t i = 0; i < points_m.size(); ++i) {
+    const auto [entry, isNew] = pointOf.try_emplace(cellOf(points_m[i], cell_m), thinned.points_m.size());
+    if (isNew) {
+      thinned.points_m.push_back(points_m[i]);
+      thinned.members.emplace_back();
+    }
+    thinned.members[entry->second].push_back(i);
+  }
+  return thinned;
+}
+
 /// Columns are points.
 Eigen::Matrix3Xd mainPart(const std::vector<Eigen::Vector3f>& points_m, double gap_m) {
+  constexpr double kCellsPerGap = 3.0;
+  const Thinned thinned = thin(points_m, static_cast<float>(gap_m / kCellsPerGap));
   std::vector<std::size_t> kept;
-  for (const auto& cluster : euclideanClusters(points_m, gap_m)) {
-    const auto size = static_cast<double>(cluster.size());
-    if (size >= kLeastPart * static_cast<double>(points_m.size())) {
-      kept.insert(kept.end(), cluster.begin(), cluster.end());
+  for (const auto& cluster : euclideanClusters(thinned.points_m, gap_m)) {
+    std::vector<std::size_t> members;
+    for (const std::size_t i : cluster) {
+      members.insert(members.end(), thinned.members[i].begin(), thinned.members[i].end());
     }
+    if (static_cast<double>(members.size()) < kLeastPart * static_cast<double>(points_m.size())) continue;
+    kept.insert(kept.end(), members.begin(), members.end());
   }
   if (kept.empty()) {
     for (std::size_t i = 0; i < points_m.size(); ++i) kept.push_back(i);

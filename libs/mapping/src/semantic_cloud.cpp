@@ -47,8 +47,9 @@ void SemanticCloud::restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_
   enter({index});
 }
 
-void SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
+std::set<ObjectId> SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
   std::vector<std::uint32_t> moved;
+  std::set<ObjectId> objects;
   for (const auto& [keyframe, pose] : T_map_cam) {
     const auto entry = tileOf_.find(keyframe);
     if (entry == tileOf_.end()) continue;
@@ -56,9 +57,14 @@ void SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_m
     tile.T_map_cam = pose.cast<float>();
     const Eigen::Isometry3f change = tile.T_map_camIndexed.inverse() * tile.T_map_cam;
     const float shift_m = change.translation().norm() + Eigen::AngleAxisf(change.linear()).angle() * tile.radius_m;
-    if (shift_m > static_cast<float>(options_.voxel_m) / 2) moved.push_back(entry->second);
+    if (shift_m <= static_cast<float>(options_.voxel_m) / 2) continue;
+    moved.push_back(entry->second);
+    for (const CloudPoint& point : tile.points) {
+      if (point.object != 0) objects.insert(point.object);
+    }
   }
   reindex(moved);
+  return objects;
 }
 
 const Tile* SemanticCloud::find(KeyframeId keyframe) const {

@@ -59,8 +59,9 @@ class SemanticCloud {
   /// A tile of an earlier map.
   void restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam, const SemanticCloudTile& saved);
 
-  /// New poses of keyframes; those unknown here are left out.
-  void movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
+  /// New poses of keyframes; those unknown here are left out. Returns the objects with points on keyframes that have
+  /// moved by half a voxel or more since points were last put in their cells.
+  std::set<ObjectId> movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
 
   [[nodiscard]] const Tile* find(KeyframeId keyframe) const;
   [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }

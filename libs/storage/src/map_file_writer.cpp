@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "wardslam/core/errors.h"
 
@@ -92,8 +93,9 @@ void MapFileWriter::write(mapping::MapBuilder& builder) {
 }
 
 void MapFileWriter::finish(mapping::MapBuilder& builder, const graph::Mapper& mapper) {
+  auto floorPlan = builder.map().floorPlan;  // first: the builder describes all objects anew
   MapChanges changes = takeFrom(builder);
-  changes.floorPlan = builder.map().floorPlan;
+  changes.floorPlan = std::move(floorPlan);
   auto keyframes = written_;
   for (const auto& [id, keyframe] : changes.keyframes) keyframes.insert(id);
   changes.graph = contentOf(mapper.graph(), keyframes);

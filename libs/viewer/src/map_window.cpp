@@ -4,18 +4,15 @@
 #include <mrpt/opengl/COpenGLScene.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <thread>
 
-#include "wardslam/core/errors.h"
+#include "display.h"
 #include "wardslam/storage/map_scene.h"
 
 namespace wardslam::viewer {
 
 void showMap(const mapping::SemanticMap& map, const std::string& title) {
-  if (std::getenv("DISPLAY") == nullptr) {
-    throw core::InputError("there is no display to open a window on (DISPLAY is not set); write a picture instead");
-  }
+  requireDisplay();
   mrpt::gui::CDisplayWindow3D window(title, 1200, 900);
   window.get3DSceneAndLock() = storage::makeScene(map);
   window.unlockAccess3DScene();
