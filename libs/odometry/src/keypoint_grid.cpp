@@ -11,8 +11,7 @@ KeypointGrid::KeypointGrid(const std::vector<core::Keypoint>& keypoints, const c
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
     const auto& pixel = keypoints[i].undistorted_px;
-    const int cell = row(static_cast<double>(pixel.y)) * columns_ + column(static_cast<double>(pixel.x));
-    cells_[static_cast<std::size_t>(cell)].push_back(i);
+    cells_[cellAt(row(static_cast<double>(pixel.y)), column(static_cast<double>(pixel.x)))].push_back(i);
   }
 }
 

@@ -23,7 +23,7 @@ class KeypointGrid {
     const int lastRow = row(undistorted_px.y() + radius_px);
     for (int r = firstRow; r <= lastRow; ++r) {
       for (int c = firstCol; c <= lastCol; ++c) {
-        for (const std::size_t index : cells_[static_cast<std::size_t>(r * columns_ + c)]) {
+        for (const std::size_t index : cells_[cellAt(r, c)]) {
           const auto& pixel = (*keypoints_)[index].undistorted_px;
           const Eigen::Vector2d offset_px(pixel.x - undistorted_px.x(), pixel.y - undistorted_px.y());
           if (offset_px.squaredNorm() <= radius_px * radius_px) visit(index);
@@ -37,6 +37,9 @@ class KeypointGrid {
 
   [[nodiscard]] int column(double x_px) const;
   [[nodiscard]] int row(double y_px) const;
+  [[nodiscard]] std::size_t cellAt(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
 
   const std::vector<core::Keypoint>* keypoints_;
   int columns_;
