@@ -15,18 +15,6 @@ using Json = nlohmann::ordered_json;
 
 Json toJson(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-const char* nameOf(mapping::ObjectState state) {
-  switch (state) {
-    case mapping::ObjectState::Static:
-      return "static";
-    case mapping::ObjectState::Moved:
-      return "moved";
-    case mapping::ObjectState::Gone:
-      break;
-  }
-  return "gone";
-}
-
 const char* floorName(unsigned char cell) {
   if (cell == mapping::FloorPlan::kFree) return "free";
   return cell == mapping::FloorPlan::kOccupied ? "occupied" : "unknown";
@@ -89,7 +77,7 @@ Json toJson(const mapping::MapObject& object, const core::LabelSpace& labels) {
           {"probability", object.probability},
           {"views", object.views},
           {"zone", object.zone},
-          {"state", nameOf(object.state)}};
+          {"state", toString(object.state)}};
 }
 
 Json toJson(const Objects& objects, const core::LabelSpace& labels) {
@@ -156,7 +144,7 @@ void print(std::ostream& out, const Objects& objects, const core::LabelSpace& la
   for (const auto* object : objects) {
     table.add({std::to_string(object->id), labels.name(object->classId), fixed(object->probability, 2),
                positionText(object->centroid_m), positionText(object->box_m.sizes()), std::to_string(object->views),
-               object->zone, nameOf(object->state)});
+               object->zone, toString(object->state)});
   }
   table.print(out);
 }

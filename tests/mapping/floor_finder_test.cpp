@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "support/textured_room.h"
 #include "wardslam/core/mrpt_compat.h"
 
 namespace wardslam::mapping {
@@ -14,15 +15,7 @@ namespace {
 
 constexpr double kCameraHeight_m = 1.1;
 
-core::CameraModel camera() {
-  core::CameraModel camera;
-  camera.width_px = 320;
-  camera.height_px = 240;
-  camera.fx_px = camera.fy_px = 262.5;
-  camera.cx_px = 159.5;
-  camera.cy_px = 119.5;
-  return camera;
-}
+core::CameraModel camera() { return test::TexturedRoom::camera320x240(); }
 
 /// z up, `height_m` over the floor, looking down by `pitch_rad` and leaning to the right by `roll_rad`.
 Eigen::Isometry3d T_floor_cam(double height_m, double pitch_rad, double roll_rad) {

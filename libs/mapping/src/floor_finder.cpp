@@ -9,7 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "wardslam/mapping/depth_points.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 constexpr int kSamplesAcross = 107;
-constexpr float kMaxDepth_m = 5.0F;         // beyond, the noise of a Kinect hides what is level
+constexpr double kMaxDepth_m = 5.0;         // beyond, the noise of a Kinect hides what is level
 constexpr double kPlaneTolerance_m = 0.03;  // noise at 4 m, and a floor that is not quite flat
 constexpr double kBeneath_m = 0.10;         // under the floor only stray measurements are
 constexpr double kMaxShareBeneath = 0.02;
@@ -38,22 +39,10 @@ class QuietPcl {
 };
 
 Cloud::Ptr pointsOf(const cv::Mat& depth_m, const core::CameraModel& camera, const Eigen::Isometry3d& T_level_cam) {
-  std::vector<cv::Point2f> raw_px;
-  std::vector<float> depths_m;
-  const int step_px = std::max(1, depth_m.cols / kSamplesAcross);
-  for (int y = 0; y < depth_m.rows; y += step_px) {
-    for (int x = 0; x < depth_m.cols; x += step_px) {
-      const float z_m = depth_m.at<float>(y, x);
-      if (z_m <= 0.0F || z_m > kMaxDepth_m) continue;
-      raw_px.emplace_back(static_cast<float>(x), static_cast<float>(y));
-      depths_m.push_back(z_m);
-    }
-  }
-  const auto pixels = camera.undistort(raw_px);
   auto cloud = pcl::make_shared<Cloud>();
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const Eigen::Vector3d p_cam = camera.unproject({pixels[i].x, pixels[i].y}, static_cast<double>(depths_m[i]));
-    const Eigen::Vector3f p = (T_level_cam * p_cam).cast<float>();
+  for (const DepthPoint& point : depthPoints(depth_m, camera, std::max(1, depth_m.cols / kSamplesAcross))) {
+    if (point.p_cam_m.z() > kMaxDepth_m) continue;
+    const Eigen::Vector3f p = (T_level_cam * point.p_cam_m).cast<float>();
     cloud->emplace_back(p.x(), p.y(), p.z());
   }
   return cloud;

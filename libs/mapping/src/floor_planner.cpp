@@ -9,6 +9,8 @@
 #include <string>
 
 #include "wardslam/core/errors.h"
+#include "wardslam/mapping/cloud_in_map.h"
+#include "wardslam/mapping/depth_points.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -78,12 +80,10 @@ Eigen::AlignedBox2d extentOf(const SemanticMap& map) {
     for (const auto& end : keyframe.freeFan_cam_m) {
       extent.extend((keyframe.T_map_cam * end.cast<double>()).head<2>());
     }
-    const auto tile = map.cloud.find(id);
-    if (tile == map.cloud.end()) continue;
-    for (const auto& point : tile->second.points) {
-      extent.extend((keyframe.T_map_cam * point.p_cam_m.cast<double>()).head<2>());
-    }
   }
+  forEachCloudPoint(map, [&extent](const Eigen::Vector3f& p_map_m, const SemanticPoint& /*point*/) {
+    extent.extend(p_map_m.head<2>().cast<double>());
+  });
   return extent;
 }
 
@@ -137,16 +137,12 @@ void drawFree(const MappedKeyframe& keyframe, FloorPlan& plan) {
 /// Points of the cloud in a robot's way, per cell.
 cv::Mat countObstacles(const SemanticMap& map, const FloorPlan& plan, const FloorPlanOptions& options) {
   cv::Mat counts(plan.cells.size(), CV_32SC1, cv::Scalar(0));
-  for (const auto& [id, tile] : map.cloud) {
-    const auto keyframe = map.keyframes.find(id);
-    if (keyframe == map.keyframes.end()) continue;
-    for (const auto& point : tile.points) {
-      const Eigen::Vector3d p = keyframe->second.T_map_cam * point.p_cam_m.cast<double>();
-      if (p.z() < options.min_height_m || p.z() > options.max_height_m) continue;
-      const Eigen::Vector2d cell = toCells(plan, p.head<2>());
-      ++counts.at<int>(static_cast<int>(std::lround(cell.y())), static_cast<int>(std::lround(cell.x())));
-    }
-  }
+  forEachCloudPoint(map, [&](const Eigen::Vector3f& p_map_m, const SemanticPoint& /*point*/) {
+    const auto height_m = static_cast<double>(p_map_m.z());
+    if (height_m < options.min_height_m || height_m > options.max_height_m) return;
+    const Eigen::Vector2d cell = toCells(plan, p_map_m.head<2>().cast<double>());
+    ++counts.at<int>(static_cast<int>(std::lround(cell.y())), static_cast<int>(std::lround(cell.x())));
+  });
   return counts;
 }
 
@@ -154,17 +150,9 @@ cv::Mat countObstacles(const SemanticMap& map, const FloorPlan& plan, const Floo
 
 std::vector<Eigen::Vector3f> freeFan(const cv::Mat& depth_m, const core::CameraModel& camera,
                                      const Eigen::Isometry3d& T_map_cam, const FloorPlanOptions& options) {
-  std::vector<cv::Point2f> raw_px;
-  for (int y = 0; y < depth_m.rows; y += kStep_px) {
-    for (int x = 0; x < depth_m.cols; x += kStep_px) {
-      if (depth_m.at<float>(y, x) > 0.0F) raw_px.emplace_back(static_cast<float>(x), static_cast<float>(y));
-    }
-  }
-  const auto pixels = camera.undistort(raw_px);
   Panorama panorama(T_map_cam);
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto z_m = static_cast<double>(depth_m.at<float>(cv::Point(raw_px[i])));
-    const Eigen::Vector3d offset_m = T_map_cam.linear() * camera.unproject({pixels[i].x, pixels[i].y}, z_m);
+  for (const DepthPoint& point : depthPoints(depth_m, camera, kStep_px)) {
+    const Eigen::Vector3d offset_m = T_map_cam.linear() * point.p_cam_m;
     const double height_m = T_map_cam.translation().z() + offset_m.z();
     Direction* const direction = panorama.towards(offset_m.head<2>());
     if (direction == nullptr || height_m > options.max_height_m) continue;

@@ -1,8 +1,8 @@
 #include <ostream>
 
 #include "blob.h"
-#include "cloud_in_map.h"
 #include "wardslam/core/atomic_file.h"
+#include "wardslam/mapping/cloud_in_map.h"
 #include "wardslam/storage/map_export.h"
 
 namespace wardslam::storage {
@@ -20,7 +20,7 @@ void putPosition(ByteWriter& out, const Eigen::Vector3f& p_map_m) {
 
 Records plyRecords(const mapping::SemanticMap& map) {
   Records records;
-  forEachCloudPoint(map, [&records](const Eigen::Vector3f& p_map_m, const mapping::SemanticPoint& point) {
+  mapping::forEachCloudPoint(map, [&records](const Eigen::Vector3f& p_map_m, const mapping::SemanticPoint& point) {
     putPosition(records.bytes, p_map_m);
     for (const std::uint8_t channel : point.color_rgb) records.bytes.put(channel);
     records.bytes.put(point.classId);
@@ -37,7 +37,7 @@ std::uint32_t packedColor(const std::array<std::uint8_t, 3>& rgb) {
 
 Records pcdRecords(const mapping::SemanticMap& map) {
   Records records;
-  forEachCloudPoint(map, [&records](const Eigen::Vector3f& p_map_m, const mapping::SemanticPoint& point) {
+  mapping::forEachCloudPoint(map, [&records](const Eigen::Vector3f& p_map_m, const mapping::SemanticPoint& point) {
     putPosition(records.bytes, p_map_m);
     records.bytes.put(packedColor(point.color_rgb));
     records.bytes.put(std::uint32_t{point.classId});

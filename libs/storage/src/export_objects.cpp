@@ -48,7 +48,7 @@ Json featureOf(const mapping::MapObject& object, const core::LabelSpace& labels)
                                          {"top", object.box_m.max().z()},
                                          {"views", object.views},
                                          {"zone", object.zone},
-                                         {"state", nameOf(object.state)}});
+                                         {"state", toString(object.state)}});
 }
 
 /// Quoted as RFC 4180 wants it where needed.
@@ -66,7 +66,7 @@ void writeCsvRow(std::ostream& out, const mapping::MapObject& object, const core
     for (const double coordinate : p_m) out << ',' << coordinate;
   }
   out << ',' << object.probability << ',' << object.views << ',' << object.firstSeen_s << ',' << object.lastSeen_s
-      << ',' << csvField(object.zone) << ',' << nameOf(object.state) << '\n';
+      << ',' << csvField(object.zone) << ',' << toString(object.state) << '\n';
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <ostream>
 
-#include "cloud_in_map.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/mapping/cloud_in_map.h"
 #include "wardslam/storage/map_export.h"
 
 namespace wardslam::storage {
@@ -27,7 +27,7 @@ void clearWays(octomap::OcTree& tree, const mapping::SemanticMap& map) {
 
 /// Rays that pass close by wear thin surfaces away; the cloud knows better.
 void occupyCloud(octomap::OcTree& tree, const mapping::SemanticMap& map) {
-  forEachCloudPoint(map, [&tree](const Eigen::Vector3f& p_map_m, const mapping::SemanticPoint& /*point*/) {
+  mapping::forEachCloudPoint(map, [&tree](const Eigen::Vector3f& p_map_m, const mapping::SemanticPoint& /*point*/) {
     tree.setNodeValue(toOctomap(p_map_m), tree.getClampingThresMaxLog(), /*lazy_eval=*/true);
   });
 }

@@ -1,12 +1,10 @@
 #include "map_rows.h"
 
-#include <array>
 #include <cmath>
 
 namespace wardslam::storage {
 namespace {
 
-constexpr std::array<const char*, 3> kStates = {"static", "moved", "gone"};
 constexpr double kShortestQuaternion = 1e-3;
 
 }  // namespace
@@ -53,11 +51,10 @@ void ColumnReader::failAtColumn() {
   throw BlobError(std::string("its ") + statement_.getColumn(index_).getName() + " is impossible");
 }
 
-const char* nameOf(mapping::ObjectState state) { return kStates.at(static_cast<std::size_t>(state)); }
-
 mapping::ObjectState objectState(const std::string& name) {
-  for (std::size_t i = 0; i < kStates.size(); ++i) {
-    if (name == kStates.at(i)) return static_cast<mapping::ObjectState>(i);
+  using mapping::ObjectState;
+  for (const auto state : {ObjectState::Static, ObjectState::Moved, ObjectState::Gone}) {
+    if (name == toString(state)) return state;
   }
   throw BlobError("its state is '" + name + "'");
 }

@@ -71,7 +71,6 @@ class ColumnReader {
   int index_ = 0;
 };
 
-[[nodiscard]] const char* nameOf(mapping::ObjectState state);
 [[nodiscard]] mapping::ObjectState objectState(const std::string& name);  ///< Throws BlobError.
 
 }  // namespace wardslam::storage

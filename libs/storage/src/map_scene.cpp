@@ -4,8 +4,8 @@
 #include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CText.h>
 
-#include "cloud_in_map.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/mapping/cloud_in_map.h"
 #include "wardslam/storage/map_scene.h"
 
 namespace wardslam::storage {
@@ -26,7 +26,7 @@ void addCloud(Scene& scene, const SemanticMap& map) {
   const auto cloud = mrpt::opengl::CPointCloudColoured::Create();
   cloud->setName("cloud");
   cloud->setPointSize(kPointSize_px);
-  forEachCloudPoint(map, [&cloud](const Eigen::Vector3f& p, const mapping::SemanticPoint& point) {
+  mapping::forEachCloudPoint(map, [&cloud](const Eigen::Vector3f& p, const mapping::SemanticPoint& point) {
     const auto& [red, green, blue] = point.color_rgb;
     cloud->insertPoint({p.x(), p.y(), p.z(), red, green, blue, kOpaque});
   });

@@ -205,7 +205,7 @@ void writeObjects(SQLite::Database& database, const MapChanges& changes) {
     ParameterBinder values(row);
     values << object.id << int{object.classId} << object.probability << object.centroid_m << min << max;
     values << object.orientedBox.T_map_box << object.orientedBox.size_m << int{red} << int{green} << int{blue};
-    values << object.firstSeen_s << object.lastSeen_s << object.views << object.zone << nameOf(object.state);
+    values << object.firstSeen_s << object.lastSeen_s << object.views << object.zone << toString(object.state);
     values.run();
     ParameterBinder box(boxRow);
     box << object.id << min.x() << max.x() << min.y() << max.y() << min.z() << max.z();

@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "display.h"
-#include "wardslam/core/annotation.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/mapping/depth_points.h"
 #include "wardslam/viewer/annotated_picture.h"
 
 namespace wardslam::viewer {
@@ -25,21 +25,15 @@ constexpr int kStep_px = 4;
 constexpr float kPointSize_px = 3.0F;
 constexpr std::uint8_t kOpaque = 255;
 
-bool isSet(const cv::Mat& mask, int y, int x) { return !mask.empty() && mask.at<std::uint8_t>(y, x) != 0; }
-
 /// Points of every few pixels with depth, in the map frame.
 void fill(mrpt::opengl::CPointCloudColoured& cloud, const core::Frame& frame, const Eigen::Isometry3d& T_map_cam) {
   cloud.clear();
-  for (int y = 0; y < frame.depth_m.rows; y += kStep_px) {
-    for (int x = 0; x < frame.depth_m.cols; x += kStep_px) {
-      const auto z_m = static_cast<double>(frame.depth_m.at<float>(y, x));
-      if (z_m <= 0.0) continue;
-      const Eigen::Vector3f p = (T_map_cam * frame.camera.unproject({x, y}, z_m)).cast<float>();
-      const auto& bgr = frame.color_bgr.at<cv::Vec3b>(y, x);
-      const bool moves = isSet(frame.mayMove, y, x);
-      cloud.insertPoint({p.x(), p.y(), p.z(), moves ? kOpaque : bgr[2], moves ? std::uint8_t{0} : bgr[1],
-                         moves ? std::uint8_t{0} : bgr[0], kOpaque});
-    }
+  for (const auto& [pixel, p_cam_m] : mapping::depthPoints(frame.depth_m, frame.camera, kStep_px)) {
+    const Eigen::Vector3f p = (T_map_cam * p_cam_m).cast<float>();
+    const auto& bgr = frame.color_bgr.at<cv::Vec3b>(pixel);
+    const bool moves = !frame.mayMove.empty() && frame.mayMove.at<std::uint8_t>(pixel) != 0;
+    cloud.insertPoint({p.x(), p.y(), p.z(), moves ? kOpaque : bgr[2], moves ? std::uint8_t{0} : bgr[1],
+                       moves ? std::uint8_t{0} : bgr[0], kOpaque});
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drawing.h"
+#include "wardslam/mapping/cloud_in_map.h"
 
 namespace wardslam::viewer {
 namespace {
@@ -25,7 +26,7 @@ constexpr double kLongerSide_px = 1500.0;
 constexpr double kMaxScale_px_per_m = 160.0;
 constexpr double kZoneOpacity = 0.14;
 constexpr double kObjectOpacity = 0.30;
-constexpr double kCeiling_m = 2.2;  // what hangs higher would cover what stands below
+constexpr float kCeiling_m = 2.2F;  // what hangs higher would cover what stands below
 
 /// From map coordinates to the pixels of a picture whose rows go down as y goes up.
 class Raster {
@@ -131,18 +132,13 @@ void PlanPainter::paintCloud() {
   constexpr float kFloor_m = 0.05F;
   cv::Mat height_m(picture_.size(), CV_32FC1, cv::Scalar(kFloor_m));
   const int size_px = std::max(1, raster_.toPixels(0.02));
-  for (const auto& [id, tile] : map_.cloud) {
-    const auto keyframe = map_.keyframes.find(id);
-    if (keyframe == map_.keyframes.end()) continue;
-    for (const auto& point : tile.points) {
-      const Eigen::Vector3d p = keyframe->second.T_map_cam * point.p_cam_m.cast<double>();
-      const cv::Rect dot =
-          cv::Rect(raster_.at(p.head<2>()), cv::Size(size_px, size_px)) & cv::Rect({0, 0}, picture_.size());
-      if (dot.empty() || p.z() > kCeiling_m || p.z() <= static_cast<double>(height_m.at<float>(dot.tl()))) continue;
-      height_m(dot).setTo(p.z());
-      picture_(dot).setTo(cv::Scalar(point.color_rgb[2], point.color_rgb[1], point.color_rgb[0]));
-    }
-  }
+  mapping::forEachCloudPoint(map_, [&](const Eigen::Vector3f& p, const mapping::SemanticPoint& point) {
+    const cv::Rect dot = cv::Rect(raster_.at(p.head<2>().cast<double>()), cv::Size(size_px, size_px)) &
+                         cv::Rect({0, 0}, picture_.size());
+    if (dot.empty() || p.z() > kCeiling_m || p.z() <= height_m.at<float>(dot.tl())) return;
+    height_m(dot).setTo(p.z());
+    picture_(dot).setTo(cv::Scalar(point.color_rgb[2], point.color_rgb[1], point.color_rgb[0]));
+  });
 }
 
 void PlanPainter::paintZone(const mapping::Zone& zone) {

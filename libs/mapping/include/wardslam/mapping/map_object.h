@@ -14,6 +14,9 @@ enum class ObjectState {
   Gone,    ///< Was there; its place has since been seen empty.
 };
 
+/// "static", "moved" or "gone".
+[[nodiscard]] std::string toString(ObjectState state);
+
 /// A box whose sides need not be parallel to the axes of the map frame.
 struct OrientedBox {
   Eigen::Isometry3d T_map_box = Eigen::Isometry3d::Identity();  ///< Origin at the box's centre.

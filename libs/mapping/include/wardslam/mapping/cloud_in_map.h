@@ -2,12 +2,12 @@
 
 #include "wardslam/mapping/semantic_map.h"
 
-namespace wardslam::storage {
+namespace wardslam::mapping {
 
 /// Calls `take` with every point of the cloud and where it is in the map frame (m), tile by tile. Tiles that hang on no
 /// keyframe of the map are left out.
 template <class Take>
-void forEachCloudPoint(const mapping::SemanticMap& map, const Take& take) {
+void forEachCloudPoint(const SemanticMap& map, const Take& take) {
   for (const auto& [id, tile] : map.cloud) {
     const auto keyframe = map.keyframes.find(id);
     if (keyframe == map.keyframes.end()) continue;
@@ -16,4 +16,4 @@ void forEachCloudPoint(const mapping::SemanticMap& map, const Take& take) {
   }
 }
 
-}  // namespace wardslam::storage
+}  // namespace wardslam::mapping
