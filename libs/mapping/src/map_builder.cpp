@@ -7,8 +7,8 @@
 
 #include "detections.h"
 #include "object_database.h"
-#include "object_shape.h"
 #include "object_table.h"
+#include "same_things.h"
 #include "semantic_cloud.h"
 #include "things_in_hands.h"
 #include "usable_pixels.h"
@@ -23,28 +23,11 @@ constexpr float kUnclassifiedWeight = 0.25F;
 /// Points are taken for seen through only when everything so near (px) to them is farther away.
 constexpr int kSeenThroughMargin_px = 2;
 
-/// Two objects of one class are one when their boxes share so much of the smaller, unless images tell them apart.
-constexpr double kSameBox = 0.5;
-
-/// A thing that moved is found again by its class and by its longest side, which agree within this factor.
-constexpr double kSameSize = 2.0;
-
-/// A thing last seen in somebody's hands is looked for elsewhere after so long.
-constexpr double kCarrying_s = 1.0;
-
 cv::Mat nearestAround(const cv::Mat& depth_m) {
   const int side = 2 * kSeenThroughMargin_px + 1;
   cv::Mat nearest;  // holes stay holes, and spread: what is not measured is not seen through
   cv::erode(depth_m, nearest, cv::getStructuringElement(cv::MORPH_RECT, {side, side}));
   return nearest;
-}
-
-double sharedOfSmaller(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b, double margin_m) {
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(margin_m);  // pictures and screens are flat
-  const Eigen::AlignedBox3d first(a.min() - margin, a.max() + margin);
-  const Eigen::AlignedBox3d second(b.min() - margin, b.max() + margin);
-  const Eigen::AlignedBox3d shared = first.intersection(second);
-  return shared.isEmpty() ? 0.0 : shared.volume() / std::min(first.volume(), second.volume());
 }
 
 /// What submaps have each.
@@ -90,8 +73,6 @@ class MapBuilder::Impl {
   void refresh();
   void mergeSameBoxes();
   void reuniteMoved();
-  [[nodiscard]] double lengthOf(const Part& part, ObjectId id) const;
-  [[nodiscard]] std::vector<ObjectId> findLost(const Part& part, const MapObject& found) const;
   void describeTouched();
   [[nodiscard]] SemanticCloudTile publish(const Tile& tile) const;
 
@@ -278,55 +259,21 @@ void MapBuilder::Impl::describeTouched() {
 
 void MapBuilder::Impl::mergeSameBoxes() {
   Part& main = part(*first_);
-  std::vector<std::pair<ObjectId, ObjectId>> same;
-  for (auto a = table_.rows().begin(); a != table_.rows().end(); ++a) {
-    for (auto b = std::next(a); b != table_.rows().end(); ++b) {
-      const auto& [idA, rowA] = *a;
-      const auto& [idB, rowB] = *b;
-      if (rowA.classId != rowB.classId || rowA.state == ObjectState::Gone || rowB.state == ObjectState::Gone) continue;
-      if (main.objects.areApart(idA, idB)) continue;
-      if (sharedOfSmaller(rowA.box_m, rowB.box_m, options_.cloud.voxel_m) > kSameBox) same.emplace_back(idB, idA);
-    }
+  for (const auto& [from, into] : sameBoxes(table_, main.objects, options_.cloud.voxel_m)) {
+    main.objects.merge(from, into);
   }
-  for (const auto& [from, into] : same) main.objects.merge(from, into);
 }
 
 void MapBuilder::Impl::reuniteMoved() {
   Part& main = part(*first_);
-  const auto rows = table_.rows();
-  for (const auto& [foundId, found] : rows) {
-    if (found.state == ObjectState::Gone) continue;
-    const std::vector<ObjectId> lost = findLost(main, found);
+  for (const auto& [id, object] : table_.rows()) {
+    if (object.state == ObjectState::Gone || main.objects.objects().count(id) == 0) continue;  // may just have merged
+    const std::vector<ObjectId> lost = earlierPlacesOf(object, table_, main.objects, main.cloud);
     if (lost.empty()) continue;
-    for (const ObjectId id : lost) {
-      main.cloud.eraseObject(id);
-      touched_.insert(id);
-    }
-    touched_.insert(foundId);
-    main.objects.reunite(lost, foundId);
+    removeGone(main, lost);
+    touched_.insert(id);
+    main.objects.reunite(lost, id);
   }
-}
-
-/// The longest side of an object, be it gone or not yet told to anybody; 0 where nothing is known of it.
-double MapBuilder::Impl::lengthOf(const Part& part, ObjectId id) const {
-  const auto row = table_.rows().find(id);
-  if (row != table_.rows().end()) return row->second.box_m.sizes().maxCoeff();
-  const auto points = part.cloud.pointsOf({id}).at(id);
-  return points.empty() ? 0.0 : shapeOf(points, kPartGap_m).box_m.sizes().maxCoeff();
-}
-
-std::vector<ObjectId> MapBuilder::Impl::findLost(const Part& part, const MapObject& found) const {
-  std::vector<ObjectId> lost;
-  for (const auto& [id, record] : part.objects.objects()) {
-    const bool isCarriedOn = record.viewsToRest > 0 && found.firstSeen_s > record.lastSeen_s + kCarrying_s;
-    const bool isLost = record.state == ObjectState::Gone || record.isMissing() || isCarriedOn;
-    if (!isLost || id == found.id || record.classId() != found.classId) continue;
-    if (found.firstSeen_s < record.lastSeen_s) continue;  // were seen at the same time
-    const double length_m = lengthOf(part, id);
-    const double foundLength_m = found.box_m.sizes().maxCoeff();
-    if (foundLength_m < kSameSize * length_m && length_m < kSameSize * foundLength_m) lost.push_back(id);
-  }
-  return lost;
 }
 
 SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
