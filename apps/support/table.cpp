@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -10,6 +11,7 @@ namespace wardslam::apps {
 namespace {
 
 bool looksLikeNumber(const std::string& cell) {
+  if (cell == "-") return true;  // there is none
   return std::any_of(cell.begin(), cell.end(), [](unsigned char c) { return std::isdigit(c) != 0; }) &&
          cell.find_first_not_of("0123456789.+-") == std::string::npos;
 }
@@ -39,6 +41,7 @@ void Table::print(std::ostream& out) const {
 }
 
 std::string fixed(double value, int decimals) {
+  if (std::isnan(value)) return "-";
   std::ostringstream text;
   text << std::fixed << std::setprecision(decimals) << value;
   return text.str();

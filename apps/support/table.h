@@ -19,7 +19,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Fixed point, so many digits after it.
+/// Fixed point, so many digits after it; "-" for NaN.
 [[nodiscard]] std::string fixed(double value, int decimals);
 
 }  // namespace wardslam::apps

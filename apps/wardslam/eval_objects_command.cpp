@@ -2,13 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "support/table.h"
 #include "wardslam/evaluation/absolute_trajectory_error.h"
 #include "wardslam/evaluation/object_evaluation.h"
 #include "wardslam/evaluation/object_files.h"
@@ -67,27 +66,21 @@ void printJson(std::ostream& out, const Comparison& c) {
   out << json.dump(2) << "\n";
 }
 
-std::string rounded(double value) {
-  if (std::isnan(value)) return "-";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << value;
-  return text.str();
-}
+constexpr int kDecimals = 3;
 
-void printRow(std::ostream& out, const evaluation::ClassScore& score) {
-  out << std::left << std::setw(20) << score.className << std::right << std::setw(8) << score.wanted << std::setw(8)
-      << score.wantedFound << std::setw(10) << rounded(score.recall()) << std::setw(8) << score.found << std::setw(8)
-      << score.foundTrue << std::setw(10) << rounded(score.precision()) << "\n";
+void addRow(Table& table, const evaluation::ClassScore& score) {
+  table.add({score.className, std::to_string(score.wanted), std::to_string(score.wantedFound),
+             fixed(score.recall(), kDecimals), std::to_string(score.found), std::to_string(score.foundTrue),
+             fixed(score.precision(), kDecimals)});
 }
 
 void printTable(std::ostream& out, const Comparison& c) {
-  out << std::left << std::setw(20) << "class" << std::right << std::setw(8) << "wanted" << std::setw(8) << "got"
-      << std::setw(10) << "recall" << std::setw(8) << "found" << std::setw(8) << "true" << std::setw(10) << "precision"
-      << "\n";
-  for (const auto& [id, score] : c.evaluation.classes) printRow(out, score);
-  printRow(out, c.evaluation.all);
-  out << "box centre: median error " << rounded(c.evaluation.center_m.median)
-      << " m; size: " << rounded(c.evaluation.size_m.median) << " m\n";
+  Table table({"class", "wanted", "got", "recall", "found", "true", "precision"});
+  for (const auto& [id, score] : c.evaluation.classes) addRow(table, score);
+  addRow(table, c.evaluation.all);
+  table.print(out);
+  out << "box centre: median error " << fixed(c.evaluation.center_m.median, kDecimals)
+      << " m; size: " << fixed(c.evaluation.size_m.median, kDecimals) << " m\n";
 }
 
 /// Object by object: what was found of it, what was missed, and what is not there.
@@ -97,7 +90,7 @@ void printObjects(std::ostream& out, const Comparison& c) {
   for (const auto& [t, f] : c.evaluation.matches) {
     isMatched[f] = isFound[t] = true;
     out << "  true   " << c.truth[t].name << " = " << c.found[f].id << ", centre off by "
-        << rounded((c.truth[t].box_m.center() - c.found[f].box_m.center()).norm()) << " m\n";
+        << fixed((c.truth[t].box_m.center() - c.found[f].box_m.center()).norm(), kDecimals) << " m\n";
   }
   for (std::size_t t = 0; t < c.truth.size(); ++t) {
     const bool isWanted = c.truth[t].framesVisible >= evaluation::SeenWell{}.frames &&
@@ -121,7 +114,9 @@ void addEvalObjectsCommand(CLI::App& app) {
       "seen in 15 frames and with 1500 pixels in one; precision counts all objects of the map");
   auto arguments = std::make_shared<EvalObjectsArguments>();
   command->add_option("TRUTH", arguments->truth, "true objects (CSV with a header line)")->required();
-  command->add_option("OBJECTS", arguments->objects, "objects.json of a run")->required();
+  command
+      ->add_option("OBJECTS", arguments->objects, "objects.json of a run (wardslam map objects MAP --json writes one)")
+      ->required();
   command->add_option("--trajectory", arguments->trajectory, "of the run, TUM format")->required();
   command->add_option("--ground-truth", arguments->groundTruth, "true poses, in the frame of the true objects")
       ->required();
