@@ -1,4 +1,4 @@
-#include "blob.h"
+#include "wardslam/storage/blob.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,14 @@
 #include <mrpt/core/initializer.h>
 
 #include "wardslam/filters/register_filters.h"
+#include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
 
 namespace wardslam::mrpt_plugin {
 
-void registerAll() { filters::registerAllFilters(); }
+void registerAll() {
+  mrpt::rtti::registerClass(CLASS_ID(CObservationSemanticRGBD));
+  filters::registerAllFilters();
+}
 
 }  // namespace wardslam::mrpt_plugin
 

@@ -1,4 +1,4 @@
-#include "blob.h"
+#include "wardslam/storage/blob.h"
 
 #include <zstd.h>
 
@@ -12,7 +12,6 @@ namespace {
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "blobs are little-endian; this machine needs byte swapping");
 
 constexpr std::size_t kHeaderSize = 2;
-constexpr int kCompressionLevel = 3;
 constexpr unsigned long long kLargestContent = 256ULL << 20U;  // what a damaged size can make us allocate
 
 [[noreturn]] void failDamaged() { throw BlobError("its content is damaged"); }
@@ -38,9 +37,9 @@ std::size_t ByteReader::getCount(std::size_t recordSize) {
   return count;
 }
 
-Bytes pack(BlobKind kind, std::uint8_t version, const Bytes& content) {
+Bytes pack(BlobKind kind, std::uint8_t version, const Bytes& content, int level) {
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
   Bytes blob(kHeaderSize + ZSTD_compressBound(content.size()));
   blob[0] = static_cast<std::uint8_t>(kind);

@@ -4,9 +4,9 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "blob.h"
 #include "wardslam/core/keypoint.h"
 #include "wardslam/mapping/semantic_cloud_tile.h"
+#include "wardslam/storage/blob.h"
 
 /// What the blobs hold; docs/file_formats.md has the layouts. Values are kept column by column (all x, then all y, …),
 /// which compresses better. Decoders throw BlobError on anything that is not whole.

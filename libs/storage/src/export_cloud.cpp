@@ -1,8 +1,8 @@
 #include <ostream>
 
-#include "blob.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/mapping/cloud_in_map.h"
+#include "wardslam/storage/blob.h"
 #include "wardslam/storage/map_export.h"
 
 namespace wardslam::storage {

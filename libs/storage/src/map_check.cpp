@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "blob.h"
 #include "map_reading.h"
+#include "wardslam/storage/blob.h"
 
 namespace wardslam::storage {
 namespace {

@@ -4,12 +4,12 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
-#include "blob.h"
 #include "map_check.h"
 #include "map_reading.h"
 #include "map_schema.h"
 #include "map_writing.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/storage/blob.h"
 
 namespace wardslam::storage {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include "blob.h"
 #include "wardslam/mapping/map_object.h"
+#include "wardslam/storage/blob.h"
 
 /// Between C++ values and columns of the map file.
 namespace wardslam::storage {

@@ -6,13 +6,19 @@
 #include <type_traits>
 #include <vector>
 
-/// Blobs of the map file: one byte for what it is, one for the version of its layout, then a zstd frame with checksum.
-/// Numbers inside are little-endian.
+/// Blobs, as in the map file: one byte for what it is, one for the version of its layout, then a zstd frame with
+/// checksum. Numbers inside are little-endian.
 namespace wardslam::storage {
 
 using Bytes = std::vector<std::uint8_t>;
 
-enum class BlobKind : std::uint8_t { Features = 'F', CloudTile = 'C', FloorCells = 'G', FreeFan = 'S' };
+enum class BlobKind : std::uint8_t {
+  Features = 'F',
+  CloudTile = 'C',
+  FloorCells = 'G',
+  FreeFan = 'S',
+  Observation = 'O'
+};
 
 /// A blob is not what it should be; says how, not where.
 class BlobError : public std::runtime_error {
@@ -22,6 +28,8 @@ class BlobError : public std::runtime_error {
 
 class ByteWriter {
  public:
+  /// What there will be at most, where that is known: spares moving it about.
+  void reserve(std::size_t size) { bytes_.reserve(size); }
   template <class T>
   void put(const T& value) {
     static_assert(std::is_arithmetic_v<T>);
@@ -52,12 +60,15 @@ class ByteReader {
   /// Reads a count of records and makes sure that exactly so many, of this size, follow.
   [[nodiscard]] std::size_t getCount(std::size_t recordSize);
 
+  [[nodiscard]] std::size_t left() const { return bytes_.size() - position_; }
+
  private:
   const Bytes& bytes_;
   std::size_t position_ = 0;
 };
 
-[[nodiscard]] Bytes pack(BlobKind kind, std::uint8_t version, const Bytes& content);
+/// `level`: zstd's, 1 is quickest.
+[[nodiscard]] Bytes pack(BlobKind kind, std::uint8_t version, const Bytes& content, int level = 3);
 
 /// The content. Throws BlobError when the blob is of another kind or version, or damaged.
 [[nodiscard]] Bytes unpack(BlobKind kind, std::uint8_t version, const Bytes& blob);

@@ -1,0 +1,81 @@
+#include "wardslam/mrpt_plugin/frame_conversion.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <algorithm>
+#include <array>
+
+#include "wardslam/core/annotation.h"
+#include "wardslam/core/mrpt_compat.h"
+#include "wardslam/features/semantic_descriptor.h"
+
+namespace wardslam::mrpt_plugin {
+namespace {
+
+KeypointState stateOf(const core::Keypoint& keypoint, const cv::Mat& labelBits) {
+  if (keypoint.motion == core::Motion::Dynamic) return KeypointState::Dynamic;
+  if (labelBits.empty()) return KeypointState::Static;
+  const int x = std::clamp(cvRound(keypoint.raw_px.x), 0, labelBits.cols - 1);
+  const int y = std::clamp(cvRound(keypoint.raw_px.y), 0, labelBits.rows - 1);
+  const bool isMovable = (labelBits.at<std::uint8_t>(y, x) & core::bitOf(core::PixelLabel::Movable)) != 0;
+  return isMovable ? KeypointState::Movable : KeypointState::Static;
+}
+
+std::map<core::ClassId, std::string> namesIn(const cv::Mat& classIds, const core::LabelSpace& labels) {
+  std::array<bool, 256> isThere{};
+  for (int row = 0; row < classIds.rows; ++row) {
+    const auto* ids = classIds.ptr<core::ClassId>(row);
+    for (int col = 0; col < classIds.cols; ++col) isThere[ids[col]] = true;
+  }
+  std::map<core::ClassId, std::string> names;
+  for (int c = 1; c < 256; ++c) {
+    const auto id = static_cast<core::ClassId>(c);
+    if (isThere[id] && !labels.name(id).empty()) names.emplace(id, labels.name(id));
+  }
+  return names;
+}
+
+}  // namespace
+
+std::shared_ptr<CObservationSemanticRGBD> toObservation(const core::Frame& frame, const core::LabelSpace& labels,
+                                                        int descriptorSide) {
+  auto observation = CObservationSemanticRGBD::Create();
+  observation->timestamp = core::toMrptTime(frame.stamp_s);
+  observation->sensorLabel = kSemanticSuffix;
+  if (frame.observation) {
+    observation->timestamp = frame.observation->timestamp;  // exactly
+    observation->sensorLabel = frame.observation->sensorLabel + kSemanticSuffix;
+    observation->labelBits = core::annotationOf(*frame.observation);
+    if (observation->labelBits.size() != frame.gray.size()) observation->labelBits.release();
+  }
+  observation->cameraPose = core::toMrpt(frame.T_base_cam * core::T_sensor_cam().inverse());
+  observation->camera = frame.camera;
+  observation->segmentation = frame.segmentation;
+  observation->classes = namesIn(frame.segmentation.classIds, labels);
+  observation->descriptorSide = descriptorSide;
+  observation->features = frame.features;
+  observation->features.signatures = nullptr;
+  for (const core::Keypoint& keypoint : frame.features.keypoints) {
+    observation->states.push_back(stateOf(keypoint, observation->labelBits));
+  }
+  return observation;
+}
+
+core::Frame toFrame(const CObservationSemanticRGBD& observation) {
+  core::Frame frame;
+  frame.stamp_s = core::fromMrptTime(observation.timestamp);
+  frame.camera = observation.camera;
+  frame.T_base_cam = core::fromMrpt(observation.cameraPose) * core::T_sensor_cam();
+  frame.segmentation = observation.segmentation;
+  frame.features = observation.features;
+  if (!frame.segmentation.empty()) {
+    frame.features.signatures =
+        std::make_shared<features::SemanticSignatures>(frame.segmentation.classIds, observation.descriptorSide);
+  }
+  if (!observation.labelBits.empty()) {
+    frame.mayMove = (observation.labelBits & core::bitOf(core::PixelLabel::Dynamic)) != 0;
+  }
+  return frame;
+}
+
+}  // namespace wardslam::mrpt_plugin
