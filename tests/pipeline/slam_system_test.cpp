@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "support/temporary_folder.h"
-#include "support/textured_room.h"
+#include "support/textured_room_scan.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 
@@ -49,24 +49,10 @@ namespace wardslam::pipeline {
 namespace {
 
 using mrpt::obs::CObservation3DRangeScan;
+using test::observe;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-std::shared_ptr<CObservation3DRangeScan> observe(const test::TexturedRoom& room, int image) {
-  const auto view = room.look(test::TexturedRoom::T_room_cam(image));
-  auto scan = CObservation3DRangeScan::Create();
-  scan->timestamp = core::toMrptTime(1000.0 + image / 32.0);
-  scan->cameraParams = scan->cameraParamsIntensity = core::toMrpt(test::TexturedRoom::camera320x240());
-  scan->hasIntensityImage = true;
-  scan->intensityImage = mrpt::img::CImage(view.color_bgr, mrpt::img::DEEP_COPY);
-  scan->hasRangeImage = true;
-  scan->range_is_depth = true;
-  scan->rangeUnits = 1.0F / 5000.0F;
-  scan->rangeImage_setSize(view.depth_m.rows, view.depth_m.cols);
-  view.depth_m.convertTo(cv::Mat(view.depth_m.size(), CV_16UC1, scan->rangeImage.data()), CV_16U, 5000.0);
-  return scan;
-}
 
 /// Writes into the log of the filter, so that the order of all shows.
 class RecordingObserver : public FrameObserver {

@@ -6,30 +6,9 @@
 
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/knowledge/motion_rules.h"
-#include "wardslam/segmentation/async_segmenter.h"
 
 namespace wardslam::pipeline {
 namespace {
-
-std::shared_ptr<const knowledge::KnowledgeGraph> readKnowledge(const SlamOptions& options) {
-  const auto file = core::findDataFile(options.knowledge.file, options.file);
-  return std::make_shared<knowledge::KnowledgeGraph>(knowledge::KnowledgeGraph::fromFile(file));
-}
-
-/// Refines the contours of what moves by itself: its key points must go, those beside it should stay.
-std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentation::SegmentationOptions& options,
-                                                                 const knowledge::KnowledgeGraph& knowledge) {
-  auto segmenter = segmentation::makeSegmenter(options);
-  if (!segmenter) return nullptr;
-  const knowledge::MotionRules rules(knowledge, segmenter->labelSpace());
-  return std::make_shared<segmentation::AsyncSegmenter>(std::move(segmenter),
-                                                        segmentation::makeContourRefiner(options, rules.moving()));
-}
-
-knowledge::ClassSet moversIn(const knowledge::KnowledgeGraph& knowledge, const core::LabelSpace& labels) {
-  return knowledge::MotionRules(knowledge, labels).moving();
-}
 
 std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const graph::SavedGraph& earlier) {
   auto mapper = std::make_unique<graph::Mapper>(options.graph, options.odometry);
@@ -79,38 +58,28 @@ mapping::Zones zonesOf(const SlamOptions& options, const mapping::SemanticMap& e
 
 SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier)
     : options_(options),
-      knowledge_(readKnowledge(options)),
-      segmenter_(makeAsyncSegmenter(options.segmentation, *knowledge_)),
-      labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
+      frontEnd_(options, continuationOf(earlier.graph)),
       zones_(zonesOf(options, earlier.semantic)),
-      features_(options.features),
-      filters_(options.filters, {segmenter_, knowledge_, options.deterministic}),
-      odometry_(options.odometry, continuationOf(earlier.graph)),
       map_(makeMapper(options, earlier.graph), !options.deterministic) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
-  requireValid(options.map_frame);
-  requireSameNames(labels_, earlier.semantic);
+  requireSameNames(labelSpace(), earlier.semantic);
   addObserver(trajectory_);
   if (options.mapping.enabled) {
-    scene_ = makeScene(options, {labels_, moversIn(*knowledge_, labels_), zones_}, earlier.semantic, profiler_);
+    scene_ = makeScene(options, {labelSpace(), frontEnd_.movers(), zones_}, earlier.semantic, frontEnd_.profiler());
   }
 }
 
 odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
-  const auto timing = profiler_.measure("pipeline.process");
-  core::Frame frame = profiler_.time("sources.build_frame", [&] { return frameBuilder_.build(observation); });
-  filters_.begin(frame);                                                  // segmentation starts in its own thread,
-  profiler_.time("features.extract", [&] { features_.extract(frame); });  // key points are found meanwhile,
-  profiler_.time("filters.apply", [&] { filters_.apply(frame); });        // and what moves is marked
-  if (!odometry_.hasStarted()) odometry_.startFrom(startPose(options_.map_frame, frame));
-  const auto odometry = profiler_.time("odometry.track", [&] {
-    return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));
-  });
-  filters_.end(frame, odometry.pose());
-  if (odometry.keyframe) profiler_.time("graph.insert", [&] { map_.insert(odometry.keyframe); });
+  core::Profiler& profiler = frontEnd_.profiler();
+  const auto timing = profiler.measure("pipeline.process");
+  auto [frame, odometry] = frontEnd_.process(observation);
+  if (odometry.keyframe) {
+    const auto insertion = profiler.measure("graph.insert");
+    map_.insert(odometry.keyframe);
+  }
   const auto updates = map_.takeUpdates();
   for (const auto& update : updates) {
-    odometry_.apply(update);
+    frontEnd_.apply(update);
     if (hasEarlierMap_ && !recognisedAt_s_ && update.joined && update.joined->into == 0)
       recognisedAt_s_ = frame.stamp_s;
   }
@@ -130,16 +99,12 @@ mapping::SemanticMap SlamSystem::semanticMap() const {
   return scene_ ? scene_->finish().map() : mapping::SemanticMap{};
 }
 
-void SlamSystem::requireSoundSetup() {
-  if (segmenter_) segmenter_->finish();
-}
-
 core::Trajectory SlamSystem::trajectory() const {
   std::map<odometry::KeyframeId, Eigen::Isometry3d> T_map_keyframe;
   for (const auto& [id, node] : finishedMap_->graph().keyframes()) T_map_keyframe.emplace(id, node.T_map_cam);
   return trajectory_.corrected(T_map_keyframe);
 }
 
-std::string SlamSystem::configuration() const { return writeSlamOptions(options_, filters_); }
+std::string SlamSystem::configuration() const { return writeSlamOptions(options_, frontEnd_.filters()); }
 
 }  // namespace wardslam::pipeline

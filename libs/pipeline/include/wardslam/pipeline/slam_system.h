@@ -7,17 +7,15 @@
 
 #include "wardslam/core/label_space.h"
 #include "wardslam/core/profiler.h"
-#include "wardslam/features/orb_extractor.h"
-#include "wardslam/filters/filter_chain.h"
 #include "wardslam/mapping/zones.h"
 #include "wardslam/odometry/odometry.h"
 #include "wardslam/pipeline/earlier_map.h"
 #include "wardslam/pipeline/frame_observer.h"
+#include "wardslam/pipeline/front_end.h"
 #include "wardslam/pipeline/map_keeper.h"
 #include "wardslam/pipeline/scene_keeper.h"
 #include "wardslam/pipeline/slam_options.h"
 #include "wardslam/pipeline/trajectory_recorder.h"
-#include "wardslam/sources/frame_builder.h"
 
 namespace wardslam::pipeline {
 
@@ -39,7 +37,7 @@ class SlamSystem {
   void finish();
 
   /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
-  void requireSoundSetup();
+  void requireSoundSetup() { frontEnd_.requireSoundSetup(); }
 
   /// Every tracked frame, by the map as it is in the end. After finish().
   [[nodiscard]] core::Trajectory trajectory() const;
@@ -62,27 +60,20 @@ class SlamSystem {
   /// All options in effect, as commented YAML that readSlamOptions() takes.
   [[nodiscard]] std::string configuration() const;
 
-  [[nodiscard]] const core::LabelSpace& labelSpace() const { return labels_; }
+  [[nodiscard]] const core::LabelSpace& labelSpace() const { return frontEnd_.labelSpace(); }
   [[nodiscard]] const mapping::Zones& zones() const { return zones_; }
-  [[nodiscard]] const core::Profiler& profiler() const { return profiler_; }
+  [[nodiscard]] const core::Profiler& profiler() const { return frontEnd_.profiler(); }
 
  private:
   SlamOptions options_;
-  std::shared_ptr<const knowledge::KnowledgeGraph> knowledge_;
-  std::shared_ptr<segmentation::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
-  core::LabelSpace labels_;
+  FrontEnd frontEnd_;
   mapping::Zones zones_;
-  sources::FrameBuilder frameBuilder_;
-  features::OrbExtractor features_;
-  filters::FilterChain filters_;
-  odometry::Odometry odometry_;
   MapKeeper map_;
   const graph::Mapper* finishedMap_ = nullptr;
   bool hasEarlierMap_ = false;
   std::optional<double> recognisedAt_s_;
   TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;
-  core::Profiler profiler_;
   std::unique_ptr<SceneKeeper> scene_;
 };
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "wardslam/core/frame.h"
+#include "wardslam/core/label_space.h"
+#include "wardslam/core/profiler.h"
+#include "wardslam/features/orb_extractor.h"
+#include "wardslam/filters/filter_chain.h"
+#include "wardslam/knowledge/motion_rules.h"
+#include "wardslam/odometry/odometry.h"
+#include "wardslam/pipeline/slam_options.h"
+#include "wardslam/sources/frame_builder.h"
+
+namespace wardslam::pipeline {
+
+/// What comes before the map: from an observation to a frame in which what moves is marked, and to the camera's pose
+/// against the local map of odometry. Its memory is bounded, so it may run for as long as a sensor does.
+///
+///     FrontEnd frontEnd(readSlamOptions("wardslam.yaml"));
+///     frontEnd.process(observation);  // the observation is annotated now
+class FrontEnd {
+ public:
+  struct Result {
+    core::Frame frame;
+    odometry::OdometryResult odometry;
+  };
+
+  /// Throws core::InputError when a file the options name is missing or wrong.
+  explicit FrontEnd(const SlamOptions& options, const odometry::Continuation& earlier = {});
+
+  /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
+  /// core::InputError for what no later observation mends. Filters annotate the observation.
+  Result process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
+
+  /// Takes over what the map found out.
+  void apply(const odometry::MapUpdate& update) { odometry_.apply(update); }
+
+  /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
+  void requireSoundSetup();
+
+  [[nodiscard]] const filters::FilterChain& filters() const { return filters_; }
+  [[nodiscard]] const core::LabelSpace& labelSpace() const { return labels_; }
+  [[nodiscard]] knowledge::ClassSet movers() const;  ///< Classes that move by themselves.
+  [[nodiscard]] core::Profiler& profiler() { return profiler_; }
+  [[nodiscard]] const core::Profiler& profiler() const { return profiler_; }
+
+ private:
+  MapFrameOptions mapFrame_;
+  std::shared_ptr<const knowledge::KnowledgeGraph> knowledge_;
+  std::shared_ptr<segmentation::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
+  core::LabelSpace labels_;
+  sources::FrameBuilder frameBuilder_;
+  features::OrbExtractor features_;
+  filters::FilterChain filters_;
+  odometry::Odometry odometry_;
+  core::Profiler profiler_;
+};
+
+}  // namespace wardslam::pipeline

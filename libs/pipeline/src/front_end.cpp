@@ -1,0 +1,56 @@
+#include "wardslam/pipeline/front_end.h"
+
+#include "wardslam/core/data_files.h"
+#include "wardslam/segmentation/async_segmenter.h"
+
+namespace wardslam::pipeline {
+namespace {
+
+std::shared_ptr<const knowledge::KnowledgeGraph> readKnowledge(const SlamOptions& options) {
+  const auto file = core::findDataFile(options.knowledge.file, options.file);
+  return std::make_shared<knowledge::KnowledgeGraph>(knowledge::KnowledgeGraph::fromFile(file));
+}
+
+/// Refines the contours of what moves by itself: its key points must go, those beside it should stay.
+std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentation::SegmentationOptions& options,
+                                                                 const knowledge::KnowledgeGraph& knowledge) {
+  auto segmenter = segmentation::makeSegmenter(options);
+  if (!segmenter) return nullptr;
+  const knowledge::MotionRules rules(knowledge, segmenter->labelSpace());
+  return std::make_shared<segmentation::AsyncSegmenter>(std::move(segmenter),
+                                                        segmentation::makeContourRefiner(options, rules.moving()));
+}
+
+}  // namespace
+
+FrontEnd::FrontEnd(const SlamOptions& options, const odometry::Continuation& earlier)
+    : mapFrame_(options.map_frame),
+      knowledge_(readKnowledge(options)),
+      segmenter_(makeAsyncSegmenter(options.segmentation, *knowledge_)),
+      labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
+      features_(options.features),
+      filters_(options.filters, {segmenter_, knowledge_, options.deterministic}),
+      odometry_(options.odometry, earlier) {
+  requireValid(mapFrame_);
+}
+
+FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
+  core::Frame frame = profiler_.time("sources.build_frame", [&] { return frameBuilder_.build(observation); });
+  filters_.begin(frame);                                                  // segmentation starts in its own thread,
+  profiler_.time("features.extract", [&] { features_.extract(frame); });  // key points are found meanwhile,
+  profiler_.time("filters.apply", [&] { filters_.apply(frame); });        // and what moves is marked
+  if (!odometry_.hasStarted()) odometry_.startFrom(startPose(mapFrame_, frame));
+  auto odometry = profiler_.time("odometry.track", [&] {
+    return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));
+  });
+  filters_.end(frame, odometry.pose());
+  return {std::move(frame), std::move(odometry)};
+}
+
+void FrontEnd::requireSoundSetup() {
+  if (segmenter_) segmenter_->finish();
+}
+
+knowledge::ClassSet FrontEnd::movers() const { return knowledge::MotionRules(*knowledge_, labels_).moving(); }
+
+}  // namespace wardslam::pipeline
