@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 
@@ -54,12 +55,7 @@ Outer read(const std::string& yaml) {
 
 /// What reading complains about; empty when it does not.
 std::string complaint(const std::string& yaml) {
-  try {
-    read(yaml);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::complaintOf([&] { return read(yaml); });
 }
 
 TEST(Options, KeepDefaultsWhereTheFileIsSilent) {

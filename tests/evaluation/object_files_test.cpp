@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 
@@ -12,16 +13,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr const char* kHeader = "name,class_id,class_name,xmin,ymin,zmin,xmax,ymax,zmax,frames_visible,max_pixels\n";
-
-template <class Read>
-std::string messageOf(Read&& read) {
-  try {
-    (void)read();
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(ObjectFilesTest, ReadsTrueObjects) {
   const test::TemporaryFolder folder;
@@ -40,12 +31,12 @@ TEST(ObjectFilesTest, ReadsTrueObjects) {
 TEST(ObjectFilesTest, NamesFileAndLineOfWhatIsWrong) {
   const test::TemporaryFolder folder;
   const auto wrong = folder.write("wrong.csv", std::string(kHeader) + "bed_1,60,bed,-1,x,0,1,2,0.5,30,1600\n");
-  EXPECT_THAT(messageOf([&] { return readTrueObjects(wrong); }), HasSubstr("wrong.csv:2: ymin is 'x'"));
+  EXPECT_THAT(test::complaintOf([&] { return readTrueObjects(wrong); }), HasSubstr("wrong.csv:2: ymin is 'x'"));
   const auto shorter = folder.write("short.csv", std::string(kHeader) + "bed_1,60\n");
-  EXPECT_THAT(messageOf([&] { return readTrueObjects(shorter); }), HasSubstr("short.csv:2: 2 cells"));
+  EXPECT_THAT(test::complaintOf([&] { return readTrueObjects(shorter); }), HasSubstr("short.csv:2: 2 cells"));
   const auto column = folder.write("column.csv", "name,class_id\nbed_1,60\n");
-  EXPECT_THAT(messageOf([&] { return readTrueObjects(column); }), HasSubstr("no column 'xmin'"));
-  EXPECT_THAT(messageOf([&] { return readTrueObjects(folder.path() / "none.csv"); }), HasSubstr("none.csv"));
+  EXPECT_THAT(test::complaintOf([&] { return readTrueObjects(column); }), HasSubstr("no column 'xmin'"));
+  EXPECT_THAT(test::complaintOf([&] { return readTrueObjects(folder.path() / "none.csv"); }), HasSubstr("none.csv"));
 }
 
 TEST(ObjectFilesTest, ReadsFoundObjectsButThoseThatAreGone) {
@@ -68,8 +59,8 @@ TEST(ObjectFilesTest, ReadsFoundObjectsButThoseThatAreGone) {
 TEST(ObjectFilesTest, AFileThatIsNoListOfObjectsSaysSo) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("objects.json", "{\"things\": []}");
-  EXPECT_THAT(messageOf([&] { return readFoundObjects(file); }), HasSubstr("is no list of objects"));
-  EXPECT_THAT(messageOf([&] { return readFoundObjects(folder.path() / "none.json"); }), HasSubstr("none.json"));
+  EXPECT_THAT(test::complaintOf([&] { return readFoundObjects(file); }), HasSubstr("is no list of objects"));
+  EXPECT_THAT(test::complaintOf([&] { return readFoundObjects(folder.path() / "none.json"); }), HasSubstr("none.json"));
 }
 
 }  // namespace

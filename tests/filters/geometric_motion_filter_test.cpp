@@ -4,6 +4,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include "filters/moving_scene.h"
+#include "support/complaint.h"
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/filters/filter_chain.h"
@@ -170,12 +171,8 @@ TEST_F(GeometricMotionFilterTest, AFrameWithoutKeyPointsOrDepthIsNoTrouble) {
 
 TEST(GeometricMotionFilterOptions, OutOfBoundsAreRefused) {
   const auto complaint = [](const std::string& parameters) -> std::string {
-    try {
-      GeometricMotionFilter().initialize(core::ConfigNode::fromText(parameters, "my.yaml"), {});
-    } catch (const core::InputError& error) {
-      return error.what();
-    }
-    return "";
+    return wardslam::test::complaintOf(
+        [&] { GeometricMotionFilter().initialize(core::ConfigNode::fromText(parameters, "my.yaml"), {}); });
   };
   EXPECT_THAT(complaint("points: 10"), testing::AllOf(HasSubstr("my.yaml:1"), HasSubstr("points")));
   EXPECT_THAT(complaint("window: -1"), HasSubstr("window"));
@@ -190,14 +187,9 @@ TEST(GeometricMotionFilterChain, IsMadeByName) {
       core::ConfigNode::fromText("[{class_name: 'wardslam::filters::GeometricMotionFilter', params: {window: 0.3}}]"),
       {});
   EXPECT_THAT(chain.parameters(0), HasSubstr("window: 0.3"));
-  try {
-    const FilterChain wrong(
-        core::ConfigNode::fromText("[{class_name: 'wardslam::filters::GeometricMotionFilter', params: {windw: 1}}]"),
-        {});
-    FAIL() << "a misspelt key was taken";
-  } catch (const core::InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("did you mean 'window'"));
-  }
+  const auto wrong =
+      core::ConfigNode::fromText("[{class_name: 'wardslam::filters::GeometricMotionFilter', params: {windw: 1}}]");
+  EXPECT_THAT(wardslam::test::complaintOf([&] { FilterChain(wrong, {}); }), HasSubstr("did you mean 'window'"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/filters/filter_chain.h"
@@ -20,12 +21,7 @@ class SlamOptionsTest : public ::testing::Test {
 
   /// What reading complains about; empty when it does not.
   [[nodiscard]] std::string complaint(const std::string& yaml) const {
-    try {
-      const auto options = read(yaml);
-    } catch (const core::InputError& error) {
-      return error.what();
-    }
-    return {};
+    return test::complaintOf([&] { return read(yaml); });
   }
 
   test::TemporaryFolder folder_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 #include "support/textured_room_scan.h"
 #include "wardslam/core/errors.h"
@@ -243,12 +244,7 @@ TEST_F(SlamSystemTest, RefusesFilesThatAreMissing) {
 }
 
 TEST_F(SlamSystemTest, TheDefaultFilterWantsMasks) {
-  try {
-    const SlamSystem slam{SlamOptions{}};
-    FAIL() << "there is no segmenter";
-  } catch (const core::InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("masks"));
-  }
+  EXPECT_THAT(test::complaintOf([] { return SlamSystem{SlamOptions{}}; }), HasSubstr("masks"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <random>
 #include <thread>
 
+#include "support/complaint.h"
 #include "support/hand_made_map.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
@@ -37,12 +38,7 @@ class MapFileTest : public testing::Test {
   }
   void runSql(const std::string& sql) const { SQLite::Database(path_.string(), SQLite::OPEN_READWRITE).exec(sql); }
   std::string openingError(MapAccess access = MapAccess::Read) const {
-    try {
-      (void)MapFile::open(path_, access).read();
-    } catch (const core::InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::complaintOf([&] { return MapFile::open(path_, access).read(); });
   }
 
   test::TemporaryFolder folder_;
