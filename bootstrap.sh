@@ -12,6 +12,7 @@ readonly PACKAGES=(
   build-essential cmake ninja-build pkg-config
   libmrpt-dev libopencv-dev libceres-dev libeigen3-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libpcl-dev
   libsqlitecpp-dev libzstd-dev liboctomap-dev # the map file and its exports
+  zlib1g-dev # rawlogs
   libcurl4-openssl-dev libssl-dev # wardslam models
   libegl1 libegl-mesa0 libgl1-mesa-dri # rawlog-synth renders without a display
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3

@@ -17,6 +17,7 @@ find_package(Threads REQUIRED)
 find_package(PCL 1.13 REQUIRED COMPONENTS common search filters segmentation)
 find_package(SQLiteCpp 3.2 REQUIRED)
 find_package(zstd REQUIRED)
+find_package(ZLIB REQUIRED)
 find_package(octomap REQUIRED)
 
 if(NOT TARGET yaml-cpp::yaml-cpp)

@@ -18,19 +18,27 @@ Progress::~Progress() {
 }
 
 void Progress::update(std::size_t done) {
+  if (!total_) return draw(done, "", std::nullopt);
+  draw(done, "/" + std::to_string(*total_), static_cast<double>(done) / static_cast<double>(*total_));
+}
+
+void Progress::update(std::size_t done, double share) {
+  draw(done, " (" + std::to_string(std::lround(100.0 * share)) + " %)", share);
+}
+
+void Progress::draw(std::size_t done, const std::string& ofAll, std::optional<double> share) {
   const auto now = Clock::now();
-  const bool isLast = total_ && done >= *total_;
+  const bool isLast = share && *share >= 1.0;
   if (!isTerminal_ || (drawn_ && !isLast && now - *drawn_ < std::chrono::milliseconds(200))) return;
   drawn_ = now;
 
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   const double rate = elapsed_s > 0.0 ? static_cast<double>(done) / elapsed_s : 0.0;
   std::ostringstream line;
-  line << "\r\033[K" << unit_ << " " << done;
-  if (total_) line << "/" << *total_;
-  line << "  " << std::fixed << std::setprecision(1) << rate << " " << unit_ << "s/s";
-  if (total_ && rate > 0.0 && done <= *total_) {
-    line << "  " << std::setprecision(0) << std::ceil(static_cast<double>(*total_ - done) / rate) << " s left";
+  line << "\r\033[K" << unit_ << " " << done << ofAll << "  " << std::fixed << std::setprecision(1) << rate << " "
+       << unit_ << "s/s";
+  if (share && *share > 0.0 && *share <= 1.0 && elapsed_s > 0.0) {
+    line << "  " << std::setprecision(0) << std::ceil(elapsed_s * (1.0 - *share) / *share) << " s left";
   }
   out_ << line.str() << std::flush;
 }

@@ -20,8 +20,14 @@ class Progress {
 
   void update(std::size_t done);
 
+  /// Where only the share of all work is known that is done (0..1): "frame 120 (40 %)  31.2 frames/s  6 s left".
+  void update(std::size_t done, double share);
+
  private:
   using Clock = std::chrono::steady_clock;
+
+  void draw(std::size_t done, const std::string& ofAll, std::optional<double> share);
+
   std::ostream& out_;
   bool isTerminal_;
   std::string unit_;

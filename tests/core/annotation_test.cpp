@@ -53,6 +53,25 @@ TEST(Annotation, ReplacesTheEarlierOne) {
   expectSomeLabels(observation);
 }
 
+TEST(Annotation, CanBeTakenAway) {
+  CObservation3DRangeScan observation;
+  annotate(observation, someLabelBits());
+  removeAnnotation(observation);
+  EXPECT_FALSE(observation.hasPixelLabels());
+  EXPECT_FALSE(observation.hasConfidenceImage);
+}
+
+TEST(Annotation, OfOthersStays) {
+  CObservation3DRangeScan observation;
+  const auto labels = std::make_shared<mrpt::obs::TPixelLabelInfo<1>>();
+  labels->setLabelName(0, "floor");
+  observation.pixelLabels = labels;
+  observation.hasConfidenceImage = true;
+  removeAnnotation(observation);
+  EXPECT_EQ(observation.pixelLabels, labels);
+  EXPECT_TRUE(observation.hasConfidenceImage);
+}
+
 TEST(Annotation, LeavesTheGivenBitsAlone) {
   CObservation3DRangeScan observation;
   const cv::Mat bits = someLabelBits();

@@ -10,6 +10,7 @@
 namespace wardslam::sources {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -57,6 +58,53 @@ TEST_F(WrittenRawlog, ReplacesAFile) {
   writer.write(*test::makeScan());
   writer.commit();
   EXPECT_TRUE(RawlogSource(file, {}).next());
+}
+
+/// Seconds of the stamps, 1000 taken off.
+std::vector<int> numbersIn(const std::filesystem::path& file) {
+  std::vector<int> numbers;
+  RawlogSource source(file, {});
+  while (const auto scan = source.next()) {
+    numbers.push_back(static_cast<int>(core::fromMrptTime(scan->timestamp) + 0.5) - 1000);
+  }
+  EXPECT_TRUE(source.damage().empty());
+  return numbers;
+}
+
+TEST_F(WrittenRawlog, GoesOnWhereAnInterruptedWriterWas) {
+  std::uintmax_t checkpoint = 0;
+  {
+    RawlogWriter interrupted(file);
+    interrupted.write(*test::makeScan(0));
+    interrupted.write(*test::makeScan(1));
+    checkpoint = interrupted.checkpoint();
+    interrupted.write(*test::makeScan(2));  // lost
+  }
+  EXPECT_FALSE(std::filesystem::exists(file));
+  RawlogWriter next(file, ImageCoding::Lossless, checkpoint);
+  next.write(*test::makeScan(3));
+  EXPECT_GT(next.checkpoint(), checkpoint);
+  next.write(*test::makeScan(4));
+  next.commit();
+  EXPECT_THAT(numbersIn(file), ElementsAre(0, 1, 3, 4));
+}
+
+TEST_F(WrittenRawlog, CannotGoOnInAShorterFile) {
+  {
+    RawlogWriter interrupted(file);
+    interrupted.write(*test::makeScan());
+    interrupted.checkpoint();
+  }
+  EXPECT_THAT([&] { RawlogWriter(file, ImageCoding::Lossless, 1000000); },
+              ThrowsMessage<core::InputError>(HasSubstr("shorter than it was")));
+}
+
+TEST_F(WrittenRawlog, BeginsAnewWhereNothingWasKept) {
+  folder.write("out.rawlog.partial", "left by somebody else");
+  RawlogWriter writer(file);
+  writer.write(*test::makeScan(5));
+  writer.commit();
+  EXPECT_THAT(numbersIn(file), ElementsAre(5));
 }
 
 }  // namespace

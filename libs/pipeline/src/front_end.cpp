@@ -1,5 +1,8 @@
 #include "wardslam/pipeline/front_end.h"
 
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include "wardslam/core/annotation.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/segmentation/async_segmenter.h"
 
@@ -35,6 +38,7 @@ FrontEnd::FrontEnd(const SlamOptions& options, const odometry::Continuation& ear
 }
 
 FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
+  core::removeAnnotation(*observation);  // of an earlier run: filters take annotations for those of filters before them
   core::Frame frame = profiler_.time("sources.build_frame", [&] { return frameBuilder_.build(observation); });
   filters_.begin(frame);                                                  // segmentation starts in its own thread,
   profiler_.time("features.extract", [&] { features_.extract(frame); });  // key points are found meanwhile,

@@ -1,4 +1,4 @@
-#include "external_images.h"
+#include "wardslam/sources/external_images.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
@@ -6,7 +6,7 @@
 
 #include "gzip_file.h"
 #include "image_file.h"
-#include "input_damage.h"
+#include "wardslam/sources/input_damage.h"
 
 namespace wardslam::sources {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "input_damage.h"
+#include "wardslam/sources/input_damage.h"
 
 namespace wardslam::sources {
 namespace {

@@ -1,32 +1,20 @@
 #include "wardslam/sources/rawlog_source.h"
 
-#include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
-#include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/serialization/CArchive.h>
 
-#include <regex>
 #include <utility>
 
-#include "external_images.h"
-#include "input_damage.h"
 #include "observation_check.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/sources/external_images.h"
+#include "wardslam/sources/input_damage.h"
+#include "wardslam/sources/rawlog_reader.h"
 
 namespace wardslam::sources {
 namespace {
 
 namespace fs = std::filesystem;
 using mrpt::obs::CObservation3DRangeScan;
-using mrpt::serialization::CSerializable;
-
-/// The class named in MRPT's complaint about an object it cannot create.
-std::optional<std::string> unregisteredClass(const std::string& complaint) {
-  static const std::regex kComplaint("class '([^']*)' which is not registered");
-  std::smatch match;
-  if (!std::regex_search(complaint, match, kComplaint)) return std::nullopt;
-  return match[1].str();
-}
 
 void replaceCamera(CObservation3DRangeScan& scan, const core::CameraModel& camera) {
   scan.cameraParamsIntensity = core::toMrpt(camera);
@@ -41,48 +29,9 @@ std::string joined(const std::set<std::string>& names) {
 
 }  // namespace
 
-/// The objects of the file, one after the other. Holds no more than one.
-class RawlogSource::ObjectReader {
- public:
-  explicit ObjectReader(const fs::path& file) {
-    if (!fs::is_regular_file(file) || !in_.open(file.string())) {
-      throw core::InputError(file.string() + ": cannot be opened as a rawlog file");
-    }
-  }
-
-  /// Null at the end of the file. Throws InputDamage where the next object cannot be read; after that, null.
-  [[nodiscard]] CSerializable::Ptr read() {
-    if (ended_) return nullptr;
-    const auto start = in_.getPosition();
-    try {
-      auto object = archive_.ReadObject();
-      ++objects_;
-      return object;
-    } catch (const std::exception& error) {
-      ended_ = true;
-      if (const auto name = unregisteredClass(error.what())) {
-        throw InputDamage("sources.rawlog_unknown_class", "holds an object of class " + *name +
-                                                              ", which this program does not know; remove such " +
-                                                              "objects with rawlog-edit and the plug-in that has it");
-      }
-      if (in_.getPosition() == start) return nullptr;  // not one byte of a further object: a proper end
-      throw InputDamage("sources.rawlog_truncated", "is cut off or damaged; copy or record it again");
-    }
-  }
-
-  [[nodiscard]] std::size_t objects() const { return objects_; }
-
- private:
-  mrpt::io::CFileGZInputStream in_;
-  mrpt::serialization::CArchiveStreamBase<mrpt::io::CFileGZInputStream> archive_{in_};
-  bool ended_ = false;
-  std::size_t objects_ = 0;
-};
-
 RawlogSource::RawlogSource(const fs::path& file, const SourceOptions& options)
-    : file_(file), reader_(std::make_unique<ObjectReader>(file)), damage_(std::make_unique<DamageLog>(options.warn)) {
+    : file_(file), reader_(std::make_unique<RawlogReader>(file)), damage_(std::make_unique<DamageLog>(options.warn)) {
   if (options.camera) camera_ = readRgbdCamera(*options.camera);
-  if (const auto images = findImageFolder(file)) mrpt::img::CImage::setImagesPathBase(images->string());
   first_ = readScan();
   if (!first_) failWithoutScans();
 }
@@ -109,22 +58,18 @@ RawlogSource::ScanPtr RawlogSource::readScan() {
 
 /// Reads one object; false at the end.
 bool RawlogSource::fillPending() {
-  const auto take = [this](const CSerializable::Ptr& object) {
-    if (auto scan = std::dynamic_pointer_cast<CObservation3DRangeScan>(object)) {
-      pending_.push_back(std::move(scan));
-    } else {
-      passedOver_.insert(object->GetRuntimeClass()->className);
-    }
-  };
   try {
     const auto object = reader_->read();
     if (!object) return false;
-    const auto sensoryFrame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object);
-    if (!sensoryFrame) {
-      take(object);
-      return true;
+    const auto observations = observationsIn(object);
+    if (observations.empty()) passedOver_.insert(object->GetRuntimeClass()->className);
+    for (const auto& observation : observations) {
+      if (auto scan = std::dynamic_pointer_cast<CObservation3DRangeScan>(observation)) {
+        pending_.push_back(std::move(scan));
+      } else {
+        passedOver_.insert(observation->GetRuntimeClass()->className);
+      }
     }
-    for (const auto& observation : *sensoryFrame) take(observation);
     return true;
   } catch (const InputDamage& damage) {
     const std::string when = " (after " + std::to_string(scansRead_) + " RGB-D observations)";

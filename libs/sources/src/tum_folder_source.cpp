@@ -6,10 +6,10 @@
 #include <regex>
 
 #include "image_file.h"
-#include "input_damage.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/sources/input_damage.h"
 
 namespace wardslam::sources {
 namespace {

@@ -40,6 +40,13 @@ TEST(Progress, PromisesNoEndWhereTheTotalIsUnknown) {
   EXPECT_THAT(out.str(), AllOf(HasSubstr("frame 4 "), Not(HasSubstr("left"))));
 }
 
+TEST(Progress, TellsTheShareWhereTheTotalIsUnknown) {
+  std::ostringstream out;
+  Progress progress(out, true, "frame", std::nullopt);
+  progress.update(4, 0.25);
+  EXPECT_THAT(out.str(), AllOf(HasSubstr("frame 4 (25 %)"), HasSubstr("frames/s"), HasSubstr("s left")));
+}
+
 TEST(Progress, SkipsUpdatesThatComeTooFastButNotTheLast) {
   std::ostringstream out;
   Progress progress(out, true, "frame", 100000);

@@ -22,6 +22,9 @@ void annotate(mrpt::obs::CObservation3DRangeScan& observation, const cv::Mat& la
 /// What annotate() wrote; empty where the observation has no such labels.
 [[nodiscard]] cv::Mat annotationOf(const mrpt::obs::CObservation3DRangeScan& observation);
 
+/// Takes away what annotate() wrote, in an earlier run say; annotations of others stay.
+void removeAnnotation(mrpt::obs::CObservation3DRangeScan& observation);
+
 [[nodiscard]] constexpr std::uint8_t bitOf(PixelLabel label) {
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(label));
 }

@@ -13,13 +13,14 @@
 namespace wardslam::sources {
 
 class DamageLog;
+class RawlogReader;
 
 /// The CObservation3DRangeScan of an MRPT rawlog (gz-compressed or not; a list of observations or of sensory frames),
 /// read as a stream. Observations of other classes are passed over, and so are scans of other sensors than that of
 /// the first scan that has both images.
 ///
 /// A rawlog that ends in the middle of an object delivers everything before and then counts
-/// "sources.rawlog_truncated"; reading also ends at an object of a class that is not linked in.
+/// "sources.rawlog_truncated"; reading also ends at an object of a class that RawlogReader does not know.
 class RawlogSource : public ObservationSource {
  public:
   /// Reads up to the first usable scan. Throws core::InputError where there is none or the file is no rawlog.
@@ -32,7 +33,6 @@ class RawlogSource : public ObservationSource {
 
  private:
   using ScanPtr = std::shared_ptr<mrpt::obs::CObservation3DRangeScan>;
-  class ObjectReader;
 
   [[nodiscard]] ScanPtr readScan();
   [[nodiscard]] bool fillPending();
@@ -41,7 +41,7 @@ class RawlogSource : public ObservationSource {
 
   std::filesystem::path file_;
   std::optional<RgbdCamera> camera_;  ///< Replaces that of the scans.
-  std::unique_ptr<ObjectReader> reader_;
+  std::unique_ptr<RawlogReader> reader_;
   std::unique_ptr<DamageLog> damage_;
 
   std::deque<ScanPtr> pending_;  ///< From the sensory frame read last.
