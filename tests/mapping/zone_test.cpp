@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace wardslam::mapping {
 namespace {
 
@@ -18,6 +20,13 @@ TEST(Zone, AreaIsThatOfThePolygonWhicheverWayAround) {
   EXPECT_DOUBLE_EQ(area_m2(kTriangle), 4.0);
   EXPECT_DOUBLE_EQ(area_m2({"corner", {{0, 2}, {4, 0}, {0, 0}}}), 4.0);
   EXPECT_DOUBLE_EQ(area_m2({}), 0.0);
+}
+
+TEST(Zone, DistanceIsThatToItsBorderAndNothingWithin) {
+  EXPECT_DOUBLE_EQ(distance_m(kTriangle, {1, 0.5}), 0.0);
+  EXPECT_DOUBLE_EQ(distance_m(kTriangle, {1, -3}), 3.0);
+  EXPECT_NEAR(distance_m(kTriangle, {4, 2}), 4 / std::sqrt(5.0), 1e-6);  // the long side is x / 4 + y / 2 = 1
+  EXPECT_GT(distance_m({}, {0, 0}), 1e9);
 }
 
 }  // namespace

@@ -15,6 +15,9 @@ struct Zone {
 /// Whether the place lies in the zone; its border belongs to it.
 [[nodiscard]] bool contains(const Zone& zone, const Eigen::Vector2d& p_map_m);
 
+/// How far the place is from the zone; 0 within it.
+[[nodiscard]] double distance_m(const Zone& zone, const Eigen::Vector2d& p_map_m);
+
 [[nodiscard]] double area_m2(const Zone& zone);
 
 }  // namespace wardslam::mapping
