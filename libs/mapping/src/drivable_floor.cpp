@@ -15,7 +15,7 @@ Eigen::Vector2d centreOf(const FloorPlan& plan, int row, int column) {
   return plan.origin_m + plan.resolution_m * Eigen::Vector2d(column + 0.5, row + 0.5);
 }
 
-/// Closes the cells that a zone touches: at their corners they are at most half a diagonal from the centre.
+/// A cell's corners are half a diagonal from its centre.
 void close(FloorPlan& plan, const Zone& zone) {
   const double halfDiagonal_m = plan.resolution_m * std::sqrt(0.5);
   for (int row = 0; row < plan.cells.rows; ++row) {
@@ -48,9 +48,14 @@ Eigen::Vector2d nearestOfFootprint(const OrientedBox& box, const Eigen::Vector2d
 
 }  // namespace
 
+FloorPlan closeZones(const FloorPlan& plan, const std::vector<Zone>& zones) {
+  FloorPlan closed{plan.cells.clone(), plan.resolution_m, plan.origin_m};
+  for (const auto& zone : zones) close(closed, zone);
+  return closed;
+}
+
 DrivableFloor::DrivableFloor(const FloorPlan& plan, const DrivingRules& rules)
-    : plan_{plan.cells.clone(), plan.resolution_m, plan.origin_m}, radius_m_(rules.radius_m) {
-  for (const auto& zone : rules.forbidden) close(plan_, zone);
+    : plan_(closeZones(plan, rules.forbidden)), radius_m_(rules.radius_m) {
   room_m_ = roomOf_m(plan_, rules.unknownIsFree);
   if (room_m_.empty()) return;
   constexpr double kRounding_m = 1e-6;

@@ -8,6 +8,7 @@
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/storage/map_export.h"
+#include "wardslam/storage/occupancy_grid.h"
 
 namespace wardslam::storage {
 namespace {
@@ -17,32 +18,6 @@ using mapping::FloorPlan;
 const FloorPlan& planOf(const mapping::SemanticMap& map, const std::filesystem::path& file) {
   if (!map.floorPlan.cells.empty()) return map.floorPlan;
   throw core::InputError(file.string() + ": the map has no floor plan to be written there");
-}
-
-float freeProbability(unsigned char cell) {
-  constexpr float kUndecided = 0.5F;
-  if (cell == FloorPlan::kFree) return 1.0F;
-  return cell == FloorPlan::kOccupied ? 0.0F : kUndecided;
-}
-
-mrpt::maps::COccupancyGridMap2D toMrptGrid(const FloorPlan& plan) {
-  const auto resolution_m = static_cast<float>(plan.resolution_m);
-  const Eigen::Vector2f min_m = plan.origin_m.cast<float>();
-  const Eigen::Vector2f max_m =
-      (plan.origin_m + plan.resolution_m * Eigen::Vector2d(plan.cells.cols, plan.cells.rows)).cast<float>();
-  mrpt::maps::COccupancyGridMap2D grid;
-  grid.setSize(min_m.x(), max_m.x(), min_m.y(), max_m.y(), resolution_m);
-  const int columns = std::min(plan.cells.cols, static_cast<int>(grid.getSizeX()));
-  const int rows = std::min(plan.cells.rows, static_cast<int>(grid.getSizeY()));
-  // MRPT may have moved the corner to a multiple of the resolution: cells go where their centres lie.
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const Eigen::Vector2d centre_m = plan.origin_m + plan.resolution_m * Eigen::Vector2d(column + 0.5, row + 0.5);
-      grid.setCell(grid.x2idx(static_cast<float>(centre_m.x())), grid.y2idx(static_cast<float>(centre_m.y())),
-                   freeProbability(plan.cells.at<unsigned char>(row, column)));
-    }
-  }
-  return grid;
 }
 
 /// A binary PGM with map_server's values; its first row is the farthest along y.
@@ -71,7 +46,7 @@ std::string rosYaml(const FloorPlan& plan, const std::string& image) {
 }  // namespace
 
 void exportGridmap(const mapping::SemanticMap& map, const std::filesystem::path& file) {
-  const auto grid = toMrptGrid(planOf(map, file));
+  const auto grid = toOccupancyGrid(planOf(map, file));
   core::replaceAtomically(file, [&grid](const std::filesystem::path& partial) {
     mrpt::io::CFileGZOutputStream out;
     if (!out.open(partial.string())) throw core::InputError(partial.string() + ": cannot be created");

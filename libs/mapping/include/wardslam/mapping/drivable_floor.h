@@ -18,6 +18,9 @@ struct DrivingRules {
   bool unknownIsFree = false;
 };
 
+/// The plan with every cell occupied that one of the zones touches.
+[[nodiscard]] FloorPlan closeZones(const FloorPlan& plan, const std::vector<Zone>& zones);
+
 /// A place to stop and where to look.
 struct Spot {
   Eigen::Vector2d p_map_m = Eigen::Vector2d::Zero();
