@@ -1,8 +1,12 @@
-# find_package(wardslam) for projects outside: one exported target per room.
+# find_package(wardslam) for projects outside: one exported target per room; some only when asked for, as components.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wardslam)
 install(EXPORT wardslam-targets NAMESPACE wardslam:: DESTINATION ${package_dir})
+get_property(components GLOBAL PROPERTY WARDSLAM_COMPONENTS)
+foreach(component IN LISTS components)
+  install(EXPORT wardslam-${component}-targets NAMESPACE wardslam:: DESTINATION ${package_dir})
+endforeach()
 configure_package_config_file(cmake/wardslam-config.cmake.in ${PROJECT_BINARY_DIR}/wardslam-config.cmake
   INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/wardslam-config-version.cmake COMPATIBILITY SameMinorVersion)

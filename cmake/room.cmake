@@ -1,9 +1,10 @@
-# wardslam_room(<name> PUBLIC <targets...> PRIVATE <targets...>)
+# wardslam_room(<name> [ON_REQUEST] PUBLIC <targets...> PRIVATE <targets...>)
 #
 # One room: the library wardslam::<name>, made of every src/*.cpp beside the calling CMakeLists.txt,
 # with its public headers under include/wardslam/<name>/.
+# ON_REQUEST: projects outside get it by find_package(wardslam COMPONENTS <name>) only.
 function(wardslam_room room)
-  cmake_parse_arguments(ROOM "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "ON_REQUEST" "" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
   add_library(wardslam_${room} ${sources})
   add_library(wardslam::${room} ALIAS wardslam_${room})
@@ -17,7 +18,12 @@ function(wardslam_room room)
   set_target_properties(wardslam_${room} PROPERTIES
     EXPORT_NAME ${room} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
     POSITION_INDEPENDENT_CODE ON INSTALL_RPATH "$ORIGIN")
-  install(TARGETS wardslam_${room} EXPORT wardslam-targets)
+  set(export wardslam-targets)
+  if(ROOM_ON_REQUEST)
+    set(export wardslam-${room}-targets)
+    set_property(GLOBAL APPEND PROPERTY WARDSLAM_COMPONENTS ${room})
+  endif()
+  install(TARGETS wardslam_${room} EXPORT ${export})
   set_property(GLOBAL APPEND PROPERTY WARDSLAM_ROOMS ${room})
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()

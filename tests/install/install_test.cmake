@@ -11,19 +11,26 @@ unset(ENV{LD_LIBRARY_PATH})
 unset(ENV{WARDSLAM_DATA_DIR})
 file(REMOVE_RECURSE ${WORK})
 string(REPLACE "," ";" rooms "${ROOMS}")
+string(REPLACE "," ";" components "${COMPONENTS}")
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/prefix "-D ROOMS=${rooms}"
+    "-D COMPONENTS=${components}"
     -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_CXX_FLAGS=${CXX_FLAGS} -D WARDSLAM_VERSION=${VERSION})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer ${WORK}/prefix)
+run(${WORK}/build/slam_only)
+if(SHARED_LIBS)
+  run(${CMAKE_COMMAND} -D PROGRAM=${WORK}/build/slam_only -D LIBRARIES=${WORK}/prefix/${LIBDIR}
+      -P ${CMAKE_CURRENT_LIST_DIR}/no_windows.cmake)
+endif()
 
 # A filter of somebody else's, built outside and loaded by the installed program.
 run(${CMAKE_COMMAND} -S ${EXAMPLES}/range_filter -B ${WORK}/range_filter/build -D CMAKE_PREFIX_PATH=${WORK}/prefix
     -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
 run(${CMAKE_COMMAND} --build ${WORK}/range_filter/build)
 file(COPY ${EXAMPLES}/range_filter/range_filter.yaml DESTINATION ${WORK}/range_filter)
-run(${WORK}/prefix/bin/rawlog-synth -o ${WORK}/ward.rawlog --seconds 0.3 --rate 10)
+run(${WORK}/prefix/bin/rawlog-synth -o ${WORK}/ward.rawlog --seconds 0.5 --rate 10)
 run(${WORK}/prefix/bin/wardslam run ${WORK}/ward.rawlog --config ${WORK}/range_filter/range_filter.yaml
     --out ${WORK}/run)
 file(READ ${WORK}/run/summary.json summary)
@@ -31,6 +38,12 @@ string(JSON share GET "${summary}" dynamic_keypoint_fraction)
 if(share LESS_EQUAL 0 OR share GREATER_EQUAL 1)
   message(FATAL_ERROR "the range filter left out a share of ${share} of the key points")
 endif()
+
+# A program of somebody else's with WardSLAM in it.
+run(${CMAKE_COMMAND} -S ${EXAMPLES}/embedding -B ${WORK}/embedding -D CMAKE_PREFIX_PATH=${WORK}/prefix
+    -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
+run(${CMAKE_COMMAND} --build ${WORK}/embedding)
+run(${WORK}/embedding/embedding ${WORK}/ward.rawlog ${WORK}/ward_labels/masks ${EXAMPLES}/embedding/embedding.ini)
 
 # Installed programs start from their new place and find their libraries.
 file(GLOB programs ${WORK}/prefix/bin/*)

@@ -1,6 +1,7 @@
 #include "wardslam/pipeline/ini_options.h"
 
 #include <gmock/gmock.h>
+#include <mrpt/config/CConfigFile.h>
 #include <mrpt/config/CConfigFileMemory.h>
 
 #include "support/temporary_folder.h"
@@ -41,6 +42,13 @@ TEST(IniOptions, OverruleTheFileTheyName) {
   EXPECT_EQ(options.features.key_points, 700);
   EXPECT_EQ(options.features.levels, 6);
   EXPECT_EQ(options.filters.yaml().size(), 0U);
+}
+
+TEST(IniOptions, FindTheFileBesideTheirs) {
+  const test::TemporaryFolder folder;
+  (void)folder.write("parts/a.yaml", "features: {key_points: 500}\n");
+  const auto ini = folder.write("app.ini", "[SLAM]\nconfig = parts/a.yaml\n");
+  EXPECT_EQ(readSlamOptions(mrpt::config::CConfigFile(ini.string()), "SLAM").features.key_points, 500);
 }
 
 TEST(IniOptions, AnEmptySectionMeansTheDefaults) {

@@ -1,6 +1,6 @@
 #include "wardslam/pipeline/ini_options.h"
 
-#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/config/CConfigFile.h>
 
 #include <sstream>
 #include <vector>
@@ -11,6 +11,12 @@ namespace wardslam::pipeline {
 namespace {
 
 constexpr const char* kConfig = "config";
+
+/// Where a name is that a file gives: beside that file, if it is one.
+std::filesystem::path besideIni(const std::filesystem::path& name, const mrpt::config::CConfigFileBase& ini) {
+  const auto* file = dynamic_cast<const mrpt::config::CConfigFile*>(&ini);
+  return file == nullptr ? name : std::filesystem::path(file->getAssociatedFile()).parent_path() / name;
+}
 
 /// Sets root.a.b.c for "a.b.c"; what is missing on the way is made.
 void set(const YAML::Node& root, const std::string& path, const std::string& value) {
@@ -28,7 +34,8 @@ void set(const YAML::Node& root, const std::string& path, const std::string& val
 
 SlamOptions readSlamOptions(const mrpt::config::CConfigFileBase& ini, const std::string& section) {
   if (!ini.sectionExists(section)) throw core::InputError("the .ini file has no section [" + section + "]");
-  const std::string file = ini.read_string(section, kConfig, "");
+  const std::string name = ini.read_string(section, kConfig, "");
+  const auto file = name.empty() ? std::filesystem::path() : besideIni(name, ini);
   const core::ConfigNode base = file.empty() ? core::ConfigNode() : core::ConfigNode::fromFile(file);
   YAML::Node root = base.exists() ? YAML::Clone(base.yaml()) : YAML::Node(YAML::NodeType::Map);
 
@@ -37,7 +44,7 @@ SlamOptions readSlamOptions(const mrpt::config::CConfigFileBase& ini, const std:
   for (const auto& key : keys) {
     if (key != kConfig) set(root, key, ini.read_string(section, key, ""));
   }
-  return readSlamOptions(core::ConfigNode(root, file.empty() ? "[" + section + "]" : file));
+  return readSlamOptions(core::ConfigNode(root, file.empty() ? std::filesystem::path("[" + section + "]") : file));
 }
 
 }  // namespace wardslam::pipeline

@@ -1,0 +1,27 @@
+# cmake -D PROGRAM=<file> -D LIBRARIES=<folder> -P no_windows.cmake
+# PROGRAM links wardslam::pipeline alone. Neither it nor the libraries of ours it loads may ask for windows, network or
+# navigation, and MRPT's GUI must not come in by any way. (X11 and curl themselves do: Debian's OpenCV reads images with
+# GDAL, which brings them.)
+execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE loaded RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "ldd ${PROGRAM} failed")
+endif()
+if(NOT loaded MATCHES "libwardslam_pipeline")
+  message(FATAL_ERROR "${PROGRAM} does not load libwardslam_pipeline:\n${loaded}")
+endif()
+if(loaded MATCHES "lib(mrpt-gui|mrpt-nav|mrpt-comms|nanogui|opencv_highgui|wx_[a-z]*|wardslam_viewer|wardslam_navigation)")
+  message(FATAL_ERROR "${PROGRAM} loads lib${CMAKE_MATCH_1}")
+endif()
+
+string(REGEX MATCHALL "libwardslam_[a-z_]+" ours "${loaded}")
+list(REMOVE_DUPLICATES ours)
+foreach(file IN LISTS ours)
+  execute_process(COMMAND readelf -d ${LIBRARIES}/${file}.so OUTPUT_VARIABLE dynamic RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "readelf ${LIBRARIES}/${file}.so failed")
+  endif()
+  if(dynamic MATCHES "\\[(lib(X|xcb|curl|ssl|mrpt-gui|mrpt-nav|opencv_highgui|Qt|gtk|vtk)[^]]*)\\]")
+    message(FATAL_ERROR "${file} asks for ${CMAKE_MATCH_1}")
+  endif()
+endforeach()
+message(STATUS "${ours}: no windows, no network, no navigation")
