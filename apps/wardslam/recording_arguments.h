@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "support/filter_arguments.h"
 #include "wardslam/pipeline/slam_options.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming)
@@ -14,20 +15,14 @@ class App;
 namespace wardslam::apps {
 
 /// What the commands that track through a recording are told about it.
-struct RecordingArguments {
+struct RecordingArguments : FilterArguments {
   std::filesystem::path input;
   std::filesystem::path out;
-  std::filesystem::path config;
   std::filesystem::path camera;
-  std::filesystem::path masks;
-  std::filesystem::path model;
   std::filesystem::path zones;
   std::filesystem::path dynamicTruth;
-  std::string filter;
-  std::string mode;
   std::string startPose;
   std::optional<std::size_t> maxFrames;
-  bool deterministic = false;
 };
 
 /// INPUT, --out, --config, --camera, --masks, --model, --mode, --zones, --start-pose, --max-frames, --dynamic-truth.
