@@ -15,6 +15,7 @@ readonly PACKAGES=(
   zlib1g-dev # rawlogs
   libcurl4-openssl-dev libssl-dev # wardslam models
   libegl1 libegl-mesa0 libgl1-mesa-dri # rawlog-synth renders without a display
+  libopenni2-dev # the virtual camera of the tests
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
 )
 

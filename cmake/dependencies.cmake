@@ -2,6 +2,8 @@
 find_package(Eigen3 REQUIRED)
 find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d dnn flann video)
 find_package(mrpt-obs 2.5 REQUIRED)
+find_package(mrpt-config REQUIRED)
+find_package(mrpt-hwdrivers REQUIRED)
 find_package(mrpt-system REQUIRED)
 find_package(mrpt-opengl REQUIRED)
 find_package(mrpt-gui REQUIRED)

@@ -102,7 +102,14 @@ void requireRecognition(const RecordedRun& run, const pipeline::SlamSystem& slam
 
 bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   InputTrouble trouble;
-  const auto source = sources::openSource(run.input, sourceOptions(run, trouble));
+  std::optional<LiveRun> live;
+  std::unique_ptr<sources::ObservationSource> recording;
+  if (sources::isSensorConfiguration(run.input)) {
+    live.emplace(run.input, run.live, run.options.sources.live, sourceOptions(run, trouble), interruption);
+  } else {
+    recording = sources::openSource(run.input, sourceOptions(run, trouble));
+  }
+  sources::ObservationSource& source = live ? live->source() : *recording;
   std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
   pipeline::SlamSystem slam(run.options, run.map.empty() ? pipeline::EarlierMap{} : pipeline::readEarlierMap(run.map));
   std::optional<DynamicTruth> truth;
@@ -116,6 +123,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   slam.addObserver(statistics);
   slam.addObserver(zoneWatch);
   slam.addObserver(folder);
+  if (live) slam.addObserver(*live);
   slam.addObserver(pictures);
   std::optional<viewer::LiveWindow> window;
   if (run.view) slam.addObserver(window.emplace(slam.labelSpace()));
@@ -127,7 +135,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   }
   std::exception_ptr failure;
   try {
-    processAll(*source, slam, statistics, trouble, run, interruption);
+    processAll(source, slam, statistics, trouble, run, interruption);
   } catch (const core::InputError&) {
     failure = std::current_exception();  // what went well until then is written first
   }
@@ -140,11 +148,12 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
     }
   }
   const bool isInterrupted = interruption.requested();
-  folder.finish({statistics, zoneWatch, source->damage(), slam, truth ? &*truth : nullptr, isInterrupted,
-                 run.options.deterministic});
+  folder.finish({statistics, zoneWatch, source.damage(), slam, truth ? &*truth : nullptr, live ? &*live : nullptr,
+                 isInterrupted, run.options.deterministic});
+  if (live) std::cerr << "wardslam: " << live->closingLine(statistics.frames()) << "\n";
   if (failure) std::rethrow_exception(failure);
   if (!isInterrupted) slam.requireSoundSetup();
-  requireSoundInput(*source, statistics, trouble, run.input);
+  requireSoundInput(source, statistics, trouble, run.input);
   if (!isInterrupted) requireRecognition(run, slam);
   if (truth && statistics.frames() > 0 && truth->frames() == 0) {
     throw core::InputError(run.dynamicTruth.string() +

@@ -5,14 +5,16 @@
 #include <optional>
 #include <string>
 
+#include "live_run.h"
 #include "support/interruption.h"
 #include "wardslam/pipeline/slam_options.h"
 
 namespace wardslam::apps {
 
-/// A recording to track through, and where the results go.
+/// A recording, or a camera, to track through, and where the results go.
 struct RecordedRun {
-  std::filesystem::path input;
+  std::filesystem::path input;   ///< A sensor configuration (.ini) means a camera.
+  LiveInput live;                ///< For a camera.
   std::filesystem::path camera;  ///< Empty: that of the recording.
   std::filesystem::path out;
   pipeline::SlamOptions options;

@@ -5,7 +5,11 @@
 namespace wardslam::apps {
 
 void addRecordingArguments(CLI::App& command, RecordingArguments& arguments) {
-  command.add_option("INPUT", arguments.input, "a .rawlog file or a folder in the layout of the TUM RGB-D benchmark")
+  command
+      .add_option(
+          "INPUT", arguments.input,
+          "a .rawlog file, a folder in the layout of the TUM RGB-D benchmark, or an .ini file of rawlog-grabber "
+          "(a live camera)")
       ->required();
   command.add_option("--out", arguments.out, "folder for the results; made when absent")->required();
   command.add_option("--camera", arguments.camera, "calibration (YAML); replaces the one of the recording");

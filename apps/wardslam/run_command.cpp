@@ -6,12 +6,15 @@
 #include "recorded_run.h"
 #include "recording_arguments.h"
 #include "support/interruption.h"
+#include "support/program.h"
+#include "wardslam/sources/sensor_configuration.h"
 
 namespace wardslam::apps {
 namespace {
 
 struct RunArguments {
   RecordingArguments recording;
+  LiveInput live;
   std::filesystem::path map;
   bool localize = false;
   bool realtime = false;
@@ -19,10 +22,23 @@ struct RunArguments {
   std::size_t pictureInterval = 0;
 };
 
+void requireFittingArguments(const RunArguments& arguments) {
+  const bool isLive = sources::isSensorConfiguration(arguments.recording.input);
+  if (!isLive && arguments.live.isGiven()) {
+    throw UsageError("--sensor, --sensor-plugin and --seconds are for cameras: INPUT must be an .ini file");
+  }
+  if (isLive &&
+      (arguments.realtime || !arguments.recording.masks.empty() || !arguments.recording.dynamicTruth.empty())) {
+    throw UsageError("--realtime, --masks and --dynamic-truth are for recordings, not for a camera");
+  }
+}
+
 void run(const RunArguments& arguments) {
+  requireFittingArguments(arguments);
   const RecordingArguments& recording = arguments.recording;
   RecordedRun run;
   run.input = recording.input;
+  run.live = arguments.live;
   run.camera = recording.camera;
   run.out = recording.out;
   run.options = effectiveOptions(recording);
@@ -40,7 +56,8 @@ void run(const RunArguments& arguments) {
 }  // namespace
 
 void addRunCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("run", "Track the camera through a recording and write what was found to DIR");
+  CLI::App* command =
+      app.add_subcommand("run", "Track a camera, live or through a recording, and write what was found to DIR");
   auto arguments = std::make_shared<RunArguments>();
   addRecordingArguments(*command, arguments->recording);
   command
@@ -54,6 +71,11 @@ void addRunCommand(CLI::App& app) {
                   ->check(CLI::ExistingFile);
   command->add_flag("--localize", arguments->localize, "only find the camera's place in the map, without changing it")
       ->needs(map);
+  command->add_option("--sensor", arguments->live.section, "section of the .ini file, where it holds several sensors");
+  command->add_option("--sensor-plugin", arguments->live.plugins, "library with further MRPT sensor classes")
+      ->check(CLI::ExistingFile);
+  command->add_option("--seconds", arguments->live.seconds, "stop a camera after so long (else with Ctrl-C)")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--realtime", arguments->realtime, "frames come no faster than they were recorded");
   command->add_flag("--view", arguments->view, "show the run in a window");
   command->add_flag("--deterministic", arguments->recording.deterministic, "same input, same bytes out");

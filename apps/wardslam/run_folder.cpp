@@ -71,6 +71,17 @@ nlohmann::ordered_json toJson(const DynamicTruth& truth) {
   return {{"frames", truth.frames()}, {"pixels", toJson(truth.pixels())}, {"keypoints", toJson(truth.keypoints())}};
 }
 
+nlohmann::ordered_json toJson(const LiveRun& live, std::size_t processed) {
+  const auto counts = live.counts();
+  const auto latency = live.latency();
+  return {{"frames_in", counts.received},
+          {"frames_processed", processed},
+          {"frames_skipped", counts.skipped},
+          {"frames_unusable", counts.unusable},
+          {"reconnects", counts.reconnects},
+          {"latency", {{"median_ms", rounded(latency.median_ms, 1)}, {"p95_ms", rounded(latency.p95_ms, 1)}}}};
+}
+
 nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json;
@@ -83,6 +94,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["submaps_joined"] = summary.slam.map().submapsJoined();
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
   if (summary.truth != nullptr) json["dynamic"] = toJson(*summary.truth);
+  if (summary.live != nullptr) json["live"] = toJson(*summary.live, statistics.frames());
   json["mask_age"] = maskAgeJson(statistics.maskAge());
   if (!summary.slam.zones().all().empty()) json["zones"] = zonesJson(summary.zones.stays());
   json["stages"] = stagesJson(summary.slam.profiler());

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dynamic_truth.h"
+#include "live_run.h"
 #include "wardslam/core/event_counts.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/run_statistics.h"
@@ -21,6 +22,7 @@ struct RunSummary {
   const core::EventCounts& damage;
   const pipeline::SlamSystem& slam;  ///< Finished.
   const DynamicTruth* truth;         ///< Null: not compared.
+  const LiveRun* live;               ///< Null: a recording.
   bool interrupted;
   bool deterministic;
 };

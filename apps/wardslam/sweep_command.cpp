@@ -21,6 +21,7 @@
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/pipeline/slam_system.h"
+#include "wardslam/sources/sensor_configuration.h"
 
 namespace wardslam::apps {
 namespace {
@@ -178,6 +179,10 @@ class Sweep {
   std::string firstTrouble_;
 };
 
+void requireRecording(const fs::path& input) {
+  if (sources::isSensorConfiguration(input)) throw UsageError("a sweep needs a recording, which a camera is not");
+}
+
 }  // namespace
 
 void addSweepCommand(CLI::App& app) {
@@ -195,7 +200,10 @@ void addSweepCommand(CLI::App& app) {
       ->allow_extra_args(false);
   command->add_option("--ground-truth", arguments->groundTruth, "true poses, TUM format, for the error")
       ->check(CLI::ExistingFile);
-  command->callback([arguments] { Sweep(*arguments).perform(); });
+  command->callback([arguments] {
+    requireRecording(arguments->recording.input);
+    Sweep(*arguments).perform();
+  });
 }
 
 }  // namespace wardslam::apps

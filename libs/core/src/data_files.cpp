@@ -11,13 +11,12 @@
 namespace wardslam::core {
 namespace {
 
-/// Found from where this library lies, so that an installation may be moved as a whole.
-std::filesystem::path installedDataFolder() {
+/// Things are found from where this library lies, so that an installation may be moved as a whole.
+std::filesystem::path fromLibrary(const std::filesystem::path& way) {
   static const char kPartOfThisLibrary = 0;
   Dl_info library{};
   if (dladdr(&kPartOfThisLibrary, &library) == 0 || library.dli_fname == nullptr) return {};
-  const auto folder = std::filesystem::path(library.dli_fname).parent_path();
-  return (folder / WARDSLAM_DATA_DIR_FROM_LIBRARY).lexically_normal();
+  return (std::filesystem::path(library.dli_fname).parent_path() / way).lexically_normal();
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ std::filesystem::path findDataFile(const std::filesystem::path& name, const std:
   std::vector<std::filesystem::path> folders;
   if (!referringFile.empty()) folders.push_back(referringFile.parent_path());
   if (const char* chosen = std::getenv("WARDSLAM_DATA_DIR")) folders.emplace_back(chosen);
-  const auto installed = installedDataFolder();
+  const auto installed = fromLibrary(WARDSLAM_DATA_DIR_FROM_LIBRARY);
   for (const auto& folder : {installed, installed.parent_path()}) folders.push_back(folder);
   for (const char* folder : {WARDSLAM_SOURCE_DATA_DIR, WARDSLAM_SOURCE_SHARE_DIR}) folders.emplace_back(folder);
 
@@ -40,6 +39,15 @@ std::filesystem::path findDataFile(const std::filesystem::path& name, const std:
     tried += (tried.empty() ? "" : ", ") + (folder.empty() ? std::string(".") : folder.string());
   }
   throw InputError(name.string() + ": not found in " + tried + "; give its full path or set WARDSLAM_DATA_DIR");
+}
+
+std::filesystem::path findProgram(const std::filesystem::path& name) {
+  if (name.has_parent_path()) return name;
+  for (const char* folder : {WARDSLAM_BIN_DIR_FROM_LIBRARY, "../bin"}) {  // installed; build tree
+    const auto program = fromLibrary(folder) / name;
+    if (std::filesystem::exists(program)) return program;
+  }
+  return name;
 }
 
 }  // namespace wardslam::core

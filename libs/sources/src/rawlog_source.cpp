@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "observation_camera.h"
 #include "observation_check.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/sources/external_images.h"
@@ -15,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using mrpt::obs::CObservation3DRangeScan;
-
-void replaceCamera(CObservation3DRangeScan& scan, const core::CameraModel& camera) {
-  scan.cameraParamsIntensity = core::toMrpt(camera);
-  if (scan.doDepthAndIntensityCamerasCoincide()) scan.cameraParams = scan.cameraParamsIntensity;
-}
 
 std::string joined(const std::set<std::string>& names) {
   std::string text;

@@ -11,4 +11,8 @@ namespace wardslam::core {
 [[nodiscard]] std::filesystem::path findDataFile(const std::filesystem::path& name,
                                                  const std::filesystem::path& referringFile = {});
 
+/// A program that comes with the library, by where the library lies; its bare name, for a search in $PATH, where it is
+/// not there. A name with a folder is taken as it is.
+[[nodiscard]] std::filesystem::path findProgram(const std::filesystem::path& name);
+
 }  // namespace wardslam::core

@@ -11,6 +11,7 @@
 #include "wardslam/odometry/odometry_options.h"
 #include "wardslam/pipeline/start_pose.h"
 #include "wardslam/segmentation/segmenter_factory.h"
+#include "wardslam/sources/live_options.h"
 
 namespace wardslam::pipeline {
 
@@ -37,6 +38,7 @@ struct ZoneOptions {
 /// The whole configuration of a SlamSystem: one section per room.
 struct SlamOptions {
   bool deterministic = false;
+  sources::SourceSettings sources;
   features::OrbOptions features;
   segmentation::SegmentationOptions segmentation;
   KnowledgeOptions knowledge;
@@ -63,6 +65,7 @@ struct SlamOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("deterministic", self.deterministic, "same input, same bytes out; tracking then waits for adjustments");
+    visit.group("sources", self.sources);
     visit.group("features", self.features);
     visit.group("segmentation", self.segmentation);
     visit.group("knowledge", self.knowledge);

@@ -1,0 +1,86 @@
+#include "wardslam/sources/sensor_configuration.h"
+
+#include <mrpt/config/CConfigFile.h>
+
+#include <algorithm>
+#include <map>
+
+#include "wardslam/core/errors.h"
+#include "wardslam/core/nearest_name.h"
+
+namespace wardslam::sources {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr const char* kGlobalSection = "global";
+
+/// What drivers do not work without although they do not say so.
+const Names& requiredKeys(const std::string& driver) {
+  static const std::map<std::string, Names> kKeys = {{"COpenNI2Sensor", {"width", "height", "fps"}}};
+  static const Names kNone;
+  const auto keys = kKeys.find(driver);
+  return keys == kKeys.end() ? kNone : keys->second;
+}
+
+std::string joined(const Names& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+Names sensorSections(const mrpt::config::CConfigFile& ini) {
+  Names sections;
+  ini.getAllSections(sections);
+  const auto isNoSensor = [&](const std::string& section) {
+    return section.empty() || section == kGlobalSection || ini.read_bool(section, "rawlog-grabber-ignore", false);
+  };
+  sections.erase(std::remove_if(sections.begin(), sections.end(), isNoSensor), sections.end());
+  return sections;
+}
+
+std::string chooseSection(const std::filesystem::path& file, const Names& sections, const std::string& wanted) {
+  if (sections.empty()) throw core::InputError(file.string() + ": holds no section for a sensor, like [OPENNI2]");
+  if (wanted.empty()) {
+    if (sections.size() == 1) return sections.front();
+    throw core::InputError(file.string() + ": holds several sensors (" + joined(sections) +
+                           "); say which with --sensor");
+  }
+  if (std::find(sections.begin(), sections.end(), wanted) != sections.end()) return wanted;
+  throw core::InputError(file.string() + ": has no sensor [" + wanted + "]; did you mean [" +
+                         core::nearestName(wanted, sections) + "]?");
+}
+
+void requireKey(const mrpt::config::CConfigFile& ini, const SensorConfiguration& sensor, const std::string& key) {
+  if (ini.keyExists(sensor.section, key)) return;
+  Names keys;
+  ini.getAllKeys(sensor.section, keys);
+  const std::string nearest = core::nearestName(key, keys);
+  throw core::InputError(sensor.place() + ": the key '" + key + "' is missing" +
+                         (nearest.empty() ? "" : " (the nearest one there is '" + nearest + "')"));
+}
+
+}  // namespace
+
+SensorConfiguration readSensorConfiguration(const std::filesystem::path& file, const std::string& section) {
+  if (!std::filesystem::is_regular_file(file)) throw core::InputError(file.string() + ": no such file");
+  const mrpt::config::CConfigFile ini(file.string());
+  SensorConfiguration sensor;
+  sensor.file = file;
+  sensor.section = chooseSection(file, sensorSections(ini), section);
+  requireKey(ini, sensor, "driver");
+  sensor.driver = ini.read_string(sensor.section, "driver", "");
+  requireKey(ini, sensor, "process_rate");
+  sensor.process_rate_hz = ini.read_double(sensor.section, "process_rate", 0.0);
+  if (!(sensor.process_rate_hz > 0.0)) {
+    throw core::InputError(sensor.place() + ": process_rate must be a number of Hz above 0");
+  }
+  for (const std::string& key : requiredKeys(sensor.driver)) requireKey(ini, sensor, key);
+  return sensor;
+}
+
+bool isSensorConfiguration(const std::filesystem::path& input) {
+  return input.extension() == ".ini" && !std::filesystem::is_directory(input);
+}
+
+}  // namespace wardslam::sources
