@@ -40,6 +40,7 @@ class InputTrouble {
 sources::SourceOptions sourceOptions(const RecordedRun& run, InputTrouble& trouble) {
   sources::SourceOptions options;
   if (!run.camera.empty()) options.camera = run.camera;
+  options.stereo = run.options.sources.stereo;
   options.warn = [&trouble](const std::string& sentence) { trouble.add(sentence); };
   return options;
 }
@@ -112,6 +113,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   sources::ObservationSource& source = live ? live->source() : *recording;
   std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
   pipeline::SlamSystem slam(run.options, run.map.empty() ? pipeline::EarlierMap{} : pipeline::readEarlierMap(run.map));
+  slam.setDepthNoise(source.depthNoise());
   std::optional<DynamicTruth> truth;
   if (!run.dynamicTruth.empty()) truth.emplace(run.dynamicTruth);
   RunFolder folder(run.out);

@@ -43,6 +43,11 @@ void declare(CLI::App& app, Arguments& arguments) {
       "nobody there; in the ward the trolley stands where it would be left");
   app.add_option("--width", options.width_px, "image width, px")->check(CLI::Range(64, 2048))->capture_default_str();
   app.add_option("--height", options.height_px, "image height, px")->check(CLI::Range(48, 2048))->capture_default_str();
+  app.add_option("--stereo", options.stereoBaseline_m,
+                 "a rectified stereo camera instead of an RGB-D camera; its baseline, m (0.12 without a number)")
+      ->expected(0, 1)
+      ->default_str("0.12")
+      ->check(CLI::Range(0.01, 2.0));
   app.add_option("--depth-noise", options.sensor.depthNoise, "times a Kinect's depth noise; 0 = perfect depth")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
@@ -72,8 +77,9 @@ int synthesise(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   return apps::runProgram("rawlog-synth", [&]() -> int {
-    CLI::App app("Renders a hospital with walking people as an RGB-D rawlog with exact ground truth and labels",
-                 "rawlog-synth");
+    CLI::App app(
+        "Renders a hospital with walking people as an RGB-D or stereo rawlog with exact ground truth and labels",
+        "rawlog-synth");
     app.set_version_flag("--version", "rawlog-synth " WARDSLAM_VERSION);
     Arguments arguments;
     declare(app, arguments);

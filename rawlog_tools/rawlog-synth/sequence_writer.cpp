@@ -1,6 +1,7 @@
 #include "sequence_writer.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationStereoImages.h>
 
 #include <iomanip>
 #include <map>
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kRangeUnits_m = 0.001;
+constexpr double kCameraHeight_m = 1.1;
 constexpr const char* kGroundTruth = "groundtruth.txt";  // until it gets its name beside the rawlog
 constexpr const char* kLabelFolders[] = {"masks", "instances", "dynamic"};
 
@@ -110,7 +112,7 @@ mrpt::obs::CObservation3DRangeScan toObservation(const SequenceFrame& frame, con
   mrpt::obs::CObservation3DRangeScan scan;
   scan.sensorLabel = "RGBD";
   scan.timestamp = core::toMrptTime(frame.stamp_s);
-  scan.sensorPose = mrpt::poses::CPose3D(0, 0, 1.1, 0, 0, 0);
+  scan.sensorPose = mrpt::poses::CPose3D(0, 0, kCameraHeight_m, 0, 0, 0);
   scan.range_is_depth = true;
   scan.maxRange = 8.0F;
   scan.stdError = 0.01F;
@@ -128,15 +130,31 @@ mrpt::obs::CObservation3DRangeScan toObservation(const SequenceFrame& frame, con
   return scan;
 }
 
+mrpt::obs::CObservationStereoImages toStereoObservation(const SequenceFrame& frame, const mrpt::img::TCamera& camera,
+                                                        double baseline_m) {
+  mrpt::obs::CObservationStereoImages pair;
+  pair.sensorLabel = "STEREO";
+  pair.timestamp = core::toMrptTime(frame.stamp_s);
+  const mrpt::poses::CPose3D T_base_sensor(0, 0, kCameraHeight_m, 0, 0, 0);
+  pair.cameraPose = mrpt::poses::CPose3DQuat(T_base_sensor + core::toMrpt(core::T_sensor_cam()));
+  pair.rightCameraPose = mrpt::poses::CPose3DQuat(mrpt::poses::CPose3D(baseline_m, 0, 0, 0, 0, 0));
+  pair.leftCamera = pair.rightCamera = camera;
+  pair.imageLeft = mrpt::img::CImage(frame.color_bgr, mrpt::img::SHALLOW_COPY);
+  pair.imageRight = mrpt::img::CImage(frame.right_bgr, mrpt::img::SHALLOW_COPY);
+  pair.hasImageRight = true;
+  return pair;
+}
+
 }  // namespace
 
 fs::path groundTruthFile(const fs::path& rawlog) { return withSuffix(rawlog, ".groundtruth.txt"); }
 fs::path labelsFolder(const fs::path& rawlog) { return withSuffix(rawlog, "_labels"); }
 
 struct SequenceWriter::Impl {
-  Impl(fs::path rawlogFile, const core::CameraModel& model, std::vector<Label> allLabels)
+  Impl(fs::path rawlogFile, const SequenceCamera& sequenceCamera, std::vector<Label> allLabels)
       : rawlog(std::move(rawlogFile)),
-        camera(core::toMrpt(model)),
+        camera(core::toMrpt(sequenceCamera.model)),
+        stereoBaseline_m(sequenceCamera.stereoBaseline_m),
         labels(std::move(allLabels)),
         classOf(classTable(labels)),
         observations(rawlog, sources::ImageCoding::Jpeg),
@@ -152,6 +170,7 @@ struct SequenceWriter::Impl {
 
   fs::path rawlog;
   mrpt::img::TCamera camera;
+  std::optional<double> stereoBaseline_m;
   std::vector<Label> labels;
   std::vector<core::ClassId> classOf;
   sources::RawlogWriter observations;
@@ -159,13 +178,17 @@ struct SequenceWriter::Impl {
   storage::TumTrajectoryWriter groundTruth;
 };
 
-SequenceWriter::SequenceWriter(const fs::path& rawlog, const core::CameraModel& camera, std::vector<Label> labels)
+SequenceWriter::SequenceWriter(const fs::path& rawlog, const SequenceCamera& camera, std::vector<Label> labels)
     : impl_(std::make_unique<Impl>(rawlog, camera, std::move(labels))) {}
 
 SequenceWriter::~SequenceWriter() = default;
 
 void SequenceWriter::write(const SequenceFrame& frame) {
-  impl_->observations.write(toObservation(frame, impl_->camera));
+  if (impl_->stereoBaseline_m) {
+    impl_->observations.write(toStereoObservation(frame, impl_->camera, *impl_->stereoBaseline_m));
+  } else {
+    impl_->observations.write(toObservation(frame, impl_->camera));
+  }
   impl_->groundTruth.write({frame.stamp_s, frame.T_world_cam});
 
   const std::string name = stampText(frame.stamp_s) + ".png";

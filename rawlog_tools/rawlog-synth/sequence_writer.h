@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,17 @@ namespace wardslam::synth {
 struct SequenceFrame {
   double stamp_s = 0.0;  ///< UNIX time in whole microseconds.
   cv::Mat color_bgr;     ///< CV_8UC3
-  cv::Mat depth_m;       ///< CV_32FC1, as measured; 0 = none.
+  cv::Mat depth_m;       ///< CV_32FC1, as measured; 0 = none. Of an RGB-D camera,
+  cv::Mat right_bgr;     ///< CV_8UC3; or this, of a stereo camera.
   cv::Mat instanceIds;   ///< CV_16UC1
   cv::Mat dynamic;       ///< CV_8UC1, 255 where something truly moves at that moment.
   Eigen::Isometry3d T_world_cam = Eigen::Isometry3d::Identity();
+};
+
+/// What recorded the sequence: an RGB-D camera or, with a baseline, a rectified stereo camera.
+struct SequenceCamera {
+  core::CameraModel model;
+  std::optional<double> stereoBaseline_m;
 };
 
 /// A static object of the scene, for objects.csv.
@@ -31,7 +39,7 @@ struct StaticObject {
 };
 
 /// Writes, for FILE.rawlog:
-///   FILE.rawlog           CObservation3DRangeScan: colour and depth, gzip
+///   FILE.rawlog           CObservation3DRangeScan: colour and depth; or CObservationStereoImages; gzip
 ///   FILE.groundtruth.txt  TUM format, T_world_cam (optical)
 ///   FILE_labels/          masks/ (8-bit class ids), instances/ (16-bit), dynamic/ (255 = moving), each <stamp>.png;
 ///                         classes.txt; objects.csv
@@ -39,7 +47,7 @@ struct StaticObject {
 class SequenceWriter {
  public:
   /// Throws core::InputError when something cannot be created, or when FILE_labels exists and is not such a folder.
-  SequenceWriter(const std::filesystem::path& rawlog, const core::CameraModel& camera, std::vector<Label> labels);
+  SequenceWriter(const std::filesystem::path& rawlog, const SequenceCamera& camera, std::vector<Label> labels);
   ~SequenceWriter();
   SequenceWriter(const SequenceWriter&) = delete;
   SequenceWriter& operator=(const SequenceWriter&) = delete;

@@ -76,17 +76,30 @@ double timeOf(std::size_t frame, double rate_hz) {
   return std::round(static_cast<double>(frame) / rate_hz * 1e6) / 1e6;
 }
 
-SequenceFrame record(const Rendering& rendering, const Setting& setting, const SynthesisOptions& options,
-                     std::size_t index) {
+SequenceFrame record(const Rendering& rendering, const cv::Mat& right_bgr, const Setting& setting,
+                     const SynthesisOptions& options, std::size_t index) {
   const double t_s = timeOf(index, options.rate_hz);
   SequenceFrame frame;
   frame.stamp_s = kFirstStamp_s + t_s;
   frame.color_bgr = exposeColor(rendering.color_bgr, options.sensor, noiseSeed(options.scene.seed, index, 0));
-  frame.depth_m = measureDepth(rendering.depth_m, options.sensor, noiseSeed(options.scene.seed, index, 1));
+  const std::uint64_t secondSeed = noiseSeed(options.scene.seed, index, 1);
+  if (options.stereoBaseline_m) {
+    frame.right_bgr = exposeColor(right_bgr, options.sensor, secondSeed);
+  } else {
+    frame.depth_m = measureDepth(rendering.depth_m, options.sensor, secondSeed);
+  }
   frame.instanceIds = rendering.instanceIds;
   frame.dynamic = dynamicMask(rendering.instanceIds, setting.scene, t_s);
   frame.T_world_cam = setting.T_world_cam(t_s);
   return frame;
+}
+
+/// What the right camera of a stereo camera sees; empty where there is none.
+cv::Mat renderRight(Renderer& renderer, const SynthesisOptions& options, double t_s,
+                    const Eigen::Isometry3d& T_world_cam) {
+  if (!options.stereoBaseline_m) return {};
+  const Eigen::Translation3d toTheRight(*options.stereoBaseline_m, 0, 0);
+  return renderer.render(t_s, T_world_cam * toTheRight).color_bgr;
 }
 
 }  // namespace
@@ -110,17 +123,20 @@ std::size_t synthesise(const std::filesystem::path& rawlog, const SynthesisOptio
   const core::CameraModel camera = cameraFor(options.width_px, options.height_px);
   const Setting setting = makeSetting(options);
   Renderer renderer(setting.scene, camera);
-  SequenceWriter writer(rawlog, camera, allLabels(setting.scene));
+  SequenceWriter writer(rawlog, {camera, options.stereoBaseline_m}, allLabels(setting.scene));
 
   const std::size_t total = frameCount(options);
   std::size_t done = 0;
   std::future<void> recording;  // of the frame before, while the next one is rendered
   while (done < total) {
     const double t_s = timeOf(done, options.rate_hz);
-    const Rendering rendering = renderer.render(t_s, setting.T_world_cam(t_s));
+    const Eigen::Isometry3d T_world_cam = setting.T_world_cam(t_s);
+    const Rendering rendering = renderer.render(t_s, T_world_cam);
+    const cv::Mat right_bgr = renderRight(renderer, options, t_s, T_world_cam);
     if (recording.valid()) recording.get();
-    recording = std::async(std::launch::async,
-                           [&, rendering, done] { writer.write(record(rendering, setting, options, done)); });
+    recording = std::async(std::launch::async, [&, rendering, right_bgr, done] {
+      writer.write(record(rendering, right_bgr, setting, options, done));
+    });
     if (!goOn(++done)) break;
   }
   recording.get();

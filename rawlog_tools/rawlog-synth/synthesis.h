@@ -21,6 +21,7 @@ struct SynthesisOptions {
   int height_px = 480;
   SceneOptions scene;
   KinectOptions sensor;
+  std::optional<double> stereoBaseline_m;  ///< A second camera so far to the right instead of depth.
 };
 
 constexpr double kFirstStamp_s = 1700000000.0;

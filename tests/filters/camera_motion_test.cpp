@@ -24,7 +24,7 @@ PointMatch matchOf(const Eigen::Vector3d& p_a_m, const Eigen::Isometry3d& T_b_a,
   const Eigen::Vector3d p_b = T_b_a * p_a_m;
   match.p_a_m = p_a_m;
   match.b_px = camera().project(p_b) + Eigen::Vector2d(random.gaussian(0.5), random.gaussian(0.5));
-  match.bDepth_m = p_b.z() + random.gaussian(core::kinectDepthSigma_m(p_b.z()));
+  match.bDepth_m = p_b.z() + random.gaussian(core::DepthNoise().sigma_m(p_b.z()));
   match.weight = weight;
   return match;
 }

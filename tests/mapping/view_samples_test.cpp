@@ -42,7 +42,7 @@ TEST(ViewSamples, AreMeansOfThePixelsInACell) {
   EXPECT_TRUE(samples[1].p_map_m.isApprox(Eigen::Vector3f(0.2F, 0, 2), 1e-5F));
   EXPECT_TRUE(samples[1].color_rgb.isApprox(Eigen::Vector3f(50, 40, 30), 1e-5F)) << "red first";
   EXPECT_FLOAT_EQ(samples[0].depth_m, 2.0F);
-  EXPECT_FLOAT_EQ(samples[0].sigma_m, static_cast<float>(core::kinectDepthSigma_m(2.0)));
+  EXPECT_FLOAT_EQ(samples[0].sigma_m, static_cast<float>(core::DepthNoise().sigma_m(2.0)));
 }
 
 TEST(ViewSamples, LieInTheMapFrame) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "wardslam/odometry/depth_noise.h"
+#include "wardslam/core/depth_noise.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -48,7 +48,7 @@ TEST(MapPoint, FusionIsTheMeanWeightedByInformation) {
   // On the optical axis the three directions are independent: one pixel across, the Kinect's noise along.
   auto point = makeMapPoint(keypoint(320, 240, 2.0F), {}, camera(), kOrigin);
   EXPECT_NEAR(point.information_per_m2(0, 0), std::pow(500 / 2.0, 2), 1e-3);
-  EXPECT_NEAR(point.information_per_m2(2, 2), std::pow(1 / kinectDepthSigma_m(2.0), 2), 1);
+  EXPECT_NEAR(point.information_per_m2(2, 2), std::pow(1 / core::DepthNoise().sigma_m(2.0), 2), 1);
 
   // Seen again from half a metre nearer, where it seems 2 cm farther and 5 px to the right.
   fuseMeasurement(point, keypoint(325, 240, 1.52F), camera(), T_map_cam({0, 0, 0.5}));
@@ -60,14 +60,15 @@ TEST(MapPoint, FusionIsTheMeanWeightedByInformation) {
   const double x_m = 5.0 / 500.0 * 1.52;
   EXPECT_NEAR(point.p_map_m.x(), mean(0, 2.0 / 500, x_m, 1.52 / 500), 1e-4);
   EXPECT_NEAR(point.p_map_m.y(), 0.0, 1e-9);
-  EXPECT_NEAR(point.p_map_m.z(), mean(2.0, kinectDepthSigma_m(2.0), 2.02, kinectDepthSigma_m(1.52)), 1e-4);
+  EXPECT_NEAR(point.p_map_m.z(), mean(2.0, core::DepthNoise().sigma_m(2.0), 2.02, core::DepthNoise().sigma_m(1.52)),
+              1e-4);
 }
 
 TEST(MapPoint, OffTheAxisTheDepthErrorLiesAlongTheRay) {
   const auto point = makeMapPoint(keypoint(570, 240, 2.0F), {}, camera(), kOrigin);  // ray (0.5, 0, 1)
   const Eigen::Matrix3d covariance_m2 = point.information_per_m2.inverse();
   const double across_m = 2.0 / 500;
-  const double along_m = kinectDepthSigma_m(2.0);
+  const double along_m = core::DepthNoise().sigma_m(2.0);
   EXPECT_NEAR(covariance_m2(2, 2), along_m * along_m, 1e-9);
   EXPECT_NEAR(covariance_m2(0, 2), 0.5 * along_m * along_m, 1e-9);
   EXPECT_NEAR(covariance_m2(0, 0), across_m * across_m + 0.25 * along_m * along_m, 1e-9);
@@ -80,7 +81,7 @@ TEST(MapPoint, ASecondLookFromTheSideFixesTheDepth) {
   const double before_m = std::sqrt(point.information_per_m2.inverse()(2, 2));
   fuseMeasurement(point, keypoint(320, 240, 4.0F), camera(), T_map_cam({-4, 0, 4}, M_PI / 2));
   const double after_m = std::sqrt(point.information_per_m2.inverse()(2, 2));
-  EXPECT_NEAR(before_m, kinectDepthSigma_m(4.0), 1e-6);
+  EXPECT_NEAR(before_m, core::DepthNoise().sigma_m(4.0), 1e-6);
   EXPECT_LT(after_m, 4.0 / 500);
 }
 

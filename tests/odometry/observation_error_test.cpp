@@ -26,12 +26,6 @@ core::Keypoint keypoint(float x_px, float y_px, float depth_m = 0.0F, float scal
 
 const PoseVector kAtOrigin = PoseVector::Zero();
 
-TEST(KinectDepthNoise, IsThatOfThePublishedFormula) {
-  EXPECT_NEAR(kinectDepthSigma_m(0.4), 0.0012, 1e-12);
-  EXPECT_NEAR(kinectDepthSigma_m(1.4), 0.0031, 1e-12);
-  EXPECT_NEAR(kinectDepthSigma_m(4.4), 0.0316, 1e-12);
-}
-
 TEST(ObservationError, IsInUnitsOfTheStandardDeviation) {
   const auto camera = roundCamera();
   const Eigen::Vector3d p_map_m(0.2, -0.1, 2.0);  // seen at (370, 215)

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "wardslam/odometry/depth_noise.h"
+#include "wardslam/core/depth_noise.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -31,7 +31,7 @@ class PoseSolverTest : public ::testing::Test {
       PointObservation observation;
       observation.p_map_m = T_cam_map_.inverse() * p_cam_m;
       observation.keypoint.undistorted_px = {static_cast<float>(px.x()), static_cast<float>(px.y())};
-      const double depth_m = z_m + kinectDepthSigma_m(z_m) * normal(random_);
+      const double depth_m = z_m + core::DepthNoise().sigma_m(z_m) * normal(random_);
       if (withDepth) observation.keypoint.depth_m = static_cast<float>(depth_m);
       observations.push_back(observation);
     }
@@ -65,7 +65,7 @@ class PoseSolverTest : public ::testing::Test {
       Eigen::Matrix3d J_point;
       J_point << camera_.fx_px / p.z(), 0, -camera_.fx_px * p.x() / (p.z() * p.z()),  //
           0, camera_.fy_px / p.z(), -camera_.fy_px * p.y() / (p.z() * p.z()),         //
-          0, 0, keypoint.hasDepth() ? 1 / kinectDepthSigma_m(p.z()) : 0.0;
+          0, 0, keypoint.hasDepth() ? 1 / core::DepthNoise().sigma_m(p.z()) : 0.0;
       Eigen::Matrix<double, 3, 6> J_pose;
       J_pose << Eigen::Matrix3d::Identity(),
           (Eigen::Matrix3d() << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0).finished();

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "wardslam/core/camera_model.h"
+#include "wardslam/core/depth_noise.h"
 #include "wardslam/core/keypoint.h"
-#include "wardslam/odometry/depth_noise.h"
 #include "wardslam/odometry/orb_descriptor.h"
 
 namespace wardslam::test {
@@ -111,7 +111,7 @@ class SyntheticWorld {
     keypoint.undistorted_px = {static_cast<float>(px->x() + noise.pixel_px * normal(random_)),
                                static_cast<float>(px->y() + noise.pixel_px * normal(random_))};
     keypoint.raw_px = keypoint.undistorted_px;
-    const double sigma_m = noise.depthSigmaScale * odometry::kinectDepthSigma_m(p_cam_m.z());
+    const double sigma_m = noise.depthSigmaScale * core::DepthNoise().sigma_m(p_cam_m.z());
     keypoint.depth_m = static_cast<float>(p_cam_m.z() + sigma_m * normal(random_));
     return keypoint;
   }

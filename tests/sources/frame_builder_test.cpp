@@ -30,6 +30,14 @@ TEST(FrameBuilder, TakesStampCameraAndImages) {
   EXPECT_NEAR(frame.depth_m.at<float>(3, 5), 1.031, 1e-6);  // 1000 + 3 * 8 + 5 + 2 mm
 }
 
+TEST(FrameBuilder, SaysHowSureDepthIs) {
+  FrameBuilder builder;
+  EXPECT_EQ(builder.build(test::makeScan()).camera.depthNoise, core::DepthNoise());
+  const core::DepthNoise stereo{0.0, 0.004, 0.0};
+  builder.setDepthNoise(stereo);
+  EXPECT_EQ(builder.build(test::makeScan()).camera.depthNoise, stereo);
+}
+
 TEST(FrameBuilder, NumbersFrames) {
   FrameBuilder builder;
   EXPECT_EQ(builder.build(test::makeScan()).index, 0U);

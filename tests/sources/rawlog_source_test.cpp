@@ -12,6 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "sources/scan_maker.h"
+#include "sources/stereo_pair_maker.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 
@@ -162,7 +163,7 @@ TEST_F(RawlogFile, OnlyOfUnusableScansIsAnError) {
   const auto scan = makeScan(0);
   scan->rangeUnits = 0.0F;
   write({scan});
-  expectError("none of its RGB-D observations can be used");
+  expectError("none of its RGB-D or stereo observations can be used; observation 1: has no valid range unit");
 }
 
 TEST_F(RawlogFile, AnUnusableScanIsLeftOut) {
@@ -192,6 +193,50 @@ TEST_F(RawlogFile, AGivenCameraIsThatOfTheColourImage) {
   const auto scan = RawlogSource(file, options).next();
   EXPECT_EQ(scan->cameraParamsIntensity.fx(), 9.0);
   EXPECT_EQ(scan->cameraParams.fx(), 8.0);
+}
+
+TEST_F(RawlogFile, PairsOfAStereoCameraBecomeScans) {
+  const test::StereoScene scene;
+  write({scene.record(0), scene.record(1)});
+  RawlogSource source(file, {});
+  EXPECT_NEAR(source.depthNoise().sigma_m(2.0), 4.0 / 25 * StereoOptions().disparity_sigma_px, 1e-9);
+  const auto scan = source.next();
+  ASSERT_TRUE(scan);
+  EXPECT_NEAR(scan->rangeImage(120, 160) * static_cast<double>(scan->rangeUnits), 2.0, 0.1);
+  EXPECT_TRUE(source.next());
+  EXPECT_FALSE(source.next());
+}
+
+TEST_F(RawlogFile, AnUnusablePairIsLeftOut) {
+  const auto blind = test::StereoScene().record(1);
+  blind->hasImageRight = false;
+  write({test::StereoScene().record(0), blind, test::StereoScene().record(2)});
+  EXPECT_THAT(readNumbers(), ElementsAre(0, 2));
+  EXPECT_THAT(damage, ElementsAre(Pair("sources.observation_unusable", 1)));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("observation 2: the stereo pair has no right image")));
+}
+
+TEST_F(RawlogFile, OnlyOfUnusablePairsIsAnErrorThatTellsWhy) {
+  const auto blind = test::StereoScene().record();
+  blind->hasImageRight = false;
+  write({blind});
+  expectError("observation 1: the stereo pair has no right image");
+}
+
+TEST_F(RawlogFile, OfAStereoCameraTakesNoCameraFile) {
+  write({test::StereoScene().record()});
+  SourceOptions options;
+  options.camera = folder.write("camera.yaml", "width: 16\nheight: 16\nfx: 9\nfy: 9\ncx: 3.5\ncy: 2.5\n");
+  EXPECT_THAT([&] { RawlogSource(file, options); }, ThrowsMessage<core::InputError>(HasSubstr("stereo camera")));
+}
+
+TEST_F(RawlogFile, TheNoiseOfACameraFileIsThatOfTheDepth) {
+  write({makeScan(0, 16, 16)});
+  SourceOptions options;
+  options.camera = folder.write("camera.yaml",
+                                "width: 16\nheight: 16\nfx: 9\nfy: 9\ncx: 3.5\ncy: 2.5\ndepth_noise: {growth: 0.01}\n");
+  EXPECT_EQ(RawlogSource(file, options).depthNoise().growth_per_m, 0.01);
+  EXPECT_EQ(RawlogSource(file, {}).depthNoise(), core::DepthNoise());
 }
 
 /// Scans whose images lie in files beside the rawlog, as rawlog-grabber leaves them.
@@ -233,6 +278,20 @@ TEST_F(RawlogWithExternalImages, ATruncatedImageIsLeftOut) {
   std::filesystem::resize_file(images / "1.png", std::filesystem::file_size(images / "1.png") / 2);
   EXPECT_THAT(readNumbers(), ElementsAre(0, 2));
   EXPECT_THAT(damage, ElementsAre(Pair("sources.image_truncated", 1)));
+}
+
+TEST_F(RawlogWithExternalImages, LoadsThoseOfStereoPairsToo) {
+  const test::StereoScene scene;
+  const auto pair = scene.record();
+  for (auto* image : {&pair->imageLeft, &pair->imageRight}) {
+    const std::string name = image == &pair->imageLeft ? "left.png" : "right.png";
+    cv::imwrite((images / name).string(), image->asCvMatRef());
+    image->setExternalStorage(name);
+  }
+  write({pair});
+  const auto scan = RawlogSource(file, {}).next();
+  ASSERT_TRUE(scan);
+  EXPECT_NEAR(scan->rangeImage(120, 160) * static_cast<double>(scan->rangeUnits), 2.0, 0.1);
 }
 
 TEST_F(RawlogWithExternalImages, AMissingRangeImageIsLeftOut) {

@@ -9,8 +9,6 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
-#include "wardslam/core/depth_noise.h"
-
 namespace wardslam::filters {
 namespace {
 
@@ -250,8 +248,8 @@ double squaredError(const PointMatch& match, const Eigen::Isometry3d& T_b_a, con
   if (p_b.z() < 0.05) return std::numeric_limits<double>::infinity();
   double error = (camera.project(p_b) - match.b_px).squaredNorm() / (match.sigma_px * match.sigma_px);
   if (match.bDepth_m > 0) {
-    const double sigma_a = core::kinectDepthSigma_m(match.p_a_m.z());
-    const double sigma_b = core::kinectDepthSigma_m(match.bDepth_m);
+    const double sigma_a = camera.depthNoise.sigma_m(match.p_a_m.z());
+    const double sigma_b = camera.depthNoise.sigma_m(match.bDepth_m);
     const double calibration = kDepthCalibration * match.bDepth_m;
     const double steep = kSteepSlope * match.sigma_px / camera.fx_px * match.bDepth_m;
     const double depth_m = match.bDepth_m - p_b.z();

@@ -3,8 +3,6 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "wardslam/core/depth_noise.h"
-
 namespace wardslam::filters {
 namespace {
 
@@ -74,8 +72,8 @@ Space SpaceView::compare(const Eigen::Vector3d& p_past_m, const SpaceView& past,
   if (!cv::Rect({}, past.size()).contains(at) || past.depth_m_.at<float>(at) <= 0) return Space::Unknown;
   const auto nearest = static_cast<double>(past.nearest_m_.at<float>(at));
   const auto farthest = static_cast<double>(past.farthest_m_.at<float>(at));
-  const double here = core::kinectDepthSigma_m(z);
-  const double there = core::kinectDepthSigma_m(nearest);
+  const double here = camera_.depthNoise.sigma_m(z);
+  const double there = past.camera_.depthNoise.sigma_m(nearest);
   const double limit_m = kBase_m + margin * std::sqrt(here * here + there * there);
   if (nearest - z > limit_m) return Space::Appeared;
   return z - farthest > limit_m ? Space::Unknown : Space::Same;

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "wardslam/core/depth_noise.h"
 #include "wardslam/filters/surface_samples.h"
 
 namespace wardslam::filters {
@@ -50,7 +49,8 @@ Seen look(const Eigen::Vector3d& p_cam_m, const core::CameraModel& camera, const
     }
   }
   const double z = p_cam_m.z();
-  const double limit_m = kBase_m + kSigmas * std::hypot(core::kinectDepthSigma_m(z), core::kinectDepthSigma_m(nearest));
+  const double limit_m =
+      kBase_m + kSigmas * std::hypot(camera.depthNoise.sigma_m(z), camera.depthNoise.sigma_m(nearest));
   if (nearest - z > limit_m) return Seen::Through;
   const bool isHidden = z - farthest > limit_m;
   const bool mayBeAnother = movers.at<std::uint8_t>(at) != 0;  // who follows a trolley is soon where it was

@@ -4,8 +4,6 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
-#include "wardslam/core/depth_noise.h"
-
 namespace wardslam::filters {
 namespace {
 
@@ -73,19 +71,18 @@ class Occupancy {
 };
 
 /// Between two images nothing comes or goes so fast: the patch slid over an edge onto something else.
-bool slidOff(const Track& track) {
+bool slidOff(const Track& track, const core::DepthNoise& noise) {
   constexpr double kFastest_m = 0.12;  // per image
   const auto& [before, now] = std::pair(*(track.sightings.end() - 2), track.sightings.back());
   if (!before.hasDepth() || !now.hasDepth()) return false;
-  return std::abs(now.depth.clear_m - before.depth.clear_m) >
-         kFastest_m + 6 * core::kinectDepthSigma_m(now.depth.clear_m);
+  return std::abs(now.depth.clear_m - before.depth.clear_m) > kFastest_m + 6 * noise.sigma_m(now.depth.clear_m);
 }
 
 void append(Track& track, const core::Frame& frame, std::uint64_t frameNumber, const cv::Point2f& undistorted_px) {
   Sighting sighting;
   sighting.frame = frameNumber;
   sighting.undistorted_px = {static_cast<double>(undistorted_px.x), static_cast<double>(undistorted_px.y)};
-  sighting.depth = depthAround(frame.depth_m, track.raw_px);
+  sighting.depth = depthAround(frame.depth_m, track.raw_px, frame.camera.depthNoise);
   if (!track.sightings.empty()) {
     sighting.moved_px = (sighting.undistorted_px - track.sightings.back().undistorted_px).norm();
   }
@@ -119,7 +116,7 @@ const Sighting* Track::at(std::uint64_t frame) const {
   return &sightings[static_cast<std::size_t>(frame - sightings.front().frame)];
 }
 
-DepthAround depthAround(const cv::Mat& depth_m, const cv::Point2f& raw_px) {
+DepthAround depthAround(const cv::Mat& depth_m, const cv::Point2f& raw_px, const core::DepthNoise& noise) {
   constexpr int kReach_px = PointTracker::kReach_px;
   constexpr int kStep_px = 2;
   const cv::Point centre(cvRound(raw_px.x), cvRound(raw_px.y));
@@ -135,7 +132,7 @@ DepthAround depthAround(const cv::Mat& depth_m, const cv::Point2f& raw_px) {
       around.nearest_m = around.nearest_m > 0 ? std::min(around.nearest_m, other) : other;
       around.farthest_m = std::max(around.farthest_m, other);
       // A slanted surface changes with the distance; an edge does at once.
-      const double jump_m = 0.02 + 0.004 * z * std::hypot(dx, dy) + 4 * core::kinectDepthSigma_m(z);
+      const double jump_m = 0.02 + 0.004 * z * std::hypot(dx, dy) + 4 * noise.sigma_m(z);
       if (std::abs(other - z) > jump_m) isClear = false;
     }
   }
@@ -171,7 +168,8 @@ void PointTracker::follow(const core::Frame& frame, std::uint64_t frameNumber,
     track.raw_px = raw_px[i];
     append(track, frame, frameNumber, undistorted_px[i]);
     while (track.sightings.front().frame < oldestFrame) track.sightings.pop_front();
-    if (occupancy.take(track.raw_px, kApart_px) && !(track.sightings.size() > 1 && slidOff(track))) {
+    if (occupancy.take(track.raw_px, kApart_px) &&
+        !(track.sightings.size() > 1 && slidOff(track, frame.camera.depthNoise))) {
       tracks_.push_back(std::move(track));
     }
   }

@@ -5,7 +5,6 @@
 
 #include "cell_hash.h"
 #include "euclidean_clusters.h"
-#include "wardslam/core/depth_noise.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -20,12 +19,12 @@ struct Cluster {
   int pixels = 0;
 };
 
-float quantileDepth_m(const std::vector<Sample>& samples, const Indices& part, double quantile) {
-  std::vector<float> depths_m;
-  depths_m.reserve(part.size());
-  for (const std::size_t i : part) depths_m.push_back(samples[i].depth_m);
-  const auto nth = depths_m.begin() + static_cast<std::ptrdiff_t>(quantile * static_cast<double>(part.size() - 1));
-  std::nth_element(depths_m.begin(), nth, depths_m.end());
+float quantileOf(float Sample::*value, const std::vector<Sample>& samples, const Indices& part, double quantile) {
+  std::vector<float> values;
+  values.reserve(part.size());
+  for (const std::size_t i : part) values.push_back(samples[i].*value);
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(quantile * static_cast<double>(part.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }
 
@@ -62,14 +61,16 @@ Eigen::Vector3f centroidOf(const std::vector<Sample>& samples, const Indices& pa
 
 /// Splits the samples of one instance into those of the thing and the doubtful.
 Detection locate(const std::vector<Sample>& samples, const Indices& part, const ObjectOptions& options, float cell_m) {
-  const double sigma_m = core::kinectDepthSigma_m(quantileDepth_m(samples, part, 0.5));
+  const double sigma_m = static_cast<double>(quantileOf(&Sample::sigma_m, samples, part, 0.5));
   const double gap_m = options.cluster_gap_m + 2.0 * sigma_m;  // noise sets even one surface's points apart
   const auto clusters = clustersOf(samples, part, cell_m, gap_m);
   Detection detection;
-  const float nearest_m = quantileDepth_m(samples, clusters.front().samples, 0.05) - static_cast<float>(gap_m);
-  const float farthest_m = quantileDepth_m(samples, clusters.front().samples, 0.95) + static_cast<float>(gap_m);
+  const float nearest_m =
+      quantileOf(&Sample::depth_m, samples, clusters.front().samples, 0.05) - static_cast<float>(gap_m);
+  const float farthest_m =
+      quantileOf(&Sample::depth_m, samples, clusters.front().samples, 0.95) + static_cast<float>(gap_m);
   for (const Cluster& cluster : clusters) {
-    const float depth_m = quantileDepth_m(samples, cluster.samples, 0.5);
+    const float depth_m = quantileOf(&Sample::depth_m, samples, cluster.samples, 0.5);
     const bool isPart = &cluster == &clusters.front() || (depth_m >= nearest_m && depth_m <= farthest_m);
     Indices& target = isPart ? detection.samples : detection.doubtful;
     target.insert(target.end(), cluster.samples.begin(), cluster.samples.end());

@@ -15,6 +15,7 @@ constexpr std::int8_t kMostEvidence = 4;    // what stood for long must still be
 constexpr std::int8_t kLeastEvidence = -1;  // below, the point is gone: it was seen through, and more than once
 
 constexpr float kNoiseReach = 2.0F;          // two sightings of one point differ by no more standard deviations
+constexpr core::DepthNoise kSavedNoise;      // what saved points were measured with is not saved
 constexpr float kMostPrecision_m2 = 4.0e6F;  // (0.5 mm)^-2: systematic errors do not average out
 
 }  // namespace
@@ -35,7 +36,7 @@ void SemanticCloud::restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_
     restored.p_cam_m = point.p_cam_m;
     restored.color_rgb = Eigen::Vector3f(point.color_rgb[0], point.color_rgb[1], point.color_rgb[2]);
     restored.sightings = point.sightings;
-    const double sigma_m = core::kinectDepthSigma_m(static_cast<double>(point.p_cam_m.z()));
+    const double sigma_m = kSavedNoise.sigma_m(static_cast<double>(point.p_cam_m.z()));
     restored.sigma_m = static_cast<float>(std::min(sigma_m, options_.max_sigma_m));  // or it would not have been saved
     restored.precision_m2 =
         std::min(kMostPrecision_m2, static_cast<float>(point.sightings) / (restored.sigma_m * restored.sigma_m));
@@ -252,14 +253,16 @@ SemanticCloud::Look SemanticCloud::look(const core::CameraModel& camera, const E
       const int v = static_cast<int>(std::lround(px.y()));
       if (u < 0 || v < 0 || u >= depth_m.cols || v >= depth_m.rows) continue;
       const float behind_m = nearest_m.at<float>(v, u);
-      if (behind_m > 0 && behind_m - p_cam_m.z() > edgeStep_m(p_cam_m.z()) + edgeStep_m(behind_m)) {
+      if (behind_m > 0 && behind_m - p_cam_m.z() >
+                              edgeStep_m(p_cam_m.z(), camera.depthNoise) + edgeStep_m(behind_m, camera.depthNoise)) {
         if (--seen.evidence >= kLeastEvidence) continue;
         index_.erase(seen.cell);
         gone.push_back({t, i});
         if (seen.object != 0) ++look.erased[seen.object];
       } else if (seen.object != 0) {
         const float measured_m = depth_m.at<float>(v, u);
-        const bool isInSight = measured_m > 0 && std::abs(measured_m - p_cam_m.z()) < edgeStep_m(p_cam_m.z());
+        const bool isInSight =
+            measured_m > 0 && std::abs(measured_m - p_cam_m.z()) < edgeStep_m(p_cam_m.z(), camera.depthNoise);
         if (isInSight) ++look.inSight[seen.object];
       }
     }

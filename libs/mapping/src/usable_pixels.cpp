@@ -2,8 +2,6 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "wardslam/core/depth_noise.h"
-
 namespace wardslam::mapping {
 namespace {
 
@@ -27,7 +25,7 @@ cv::Mat movingPixels(const View& view, const knowledge::ClassSet& movingClasses,
 }
 
 /// Pixels that have both something clearly nearer and something clearly farther beside them.
-cv::Mat fliers(const cv::Mat& depth_m) {
+cv::Mat fliers(const cv::Mat& depth_m, const core::DepthNoise& noise) {
   const int side = 2 * kFlierReach_px + 1;
   const cv::Mat window = cv::getStructuringElement(cv::MORPH_RECT, {side, side});
   cv::Mat farthest;
@@ -40,7 +38,7 @@ cv::Mat fliers(const cv::Mat& depth_m) {
     for (int u = 0; u < depth_m.cols; ++u) {
       const float z_m = depth_m.at<float>(v, u);
       if (z_m <= 0) continue;
-      const float step_m = edgeStep_m(z_m);
+      const float step_m = edgeStep_m(z_m, noise);
       if (farthest.at<float>(v, u) - z_m > step_m && z_m - nearest.at<float>(v, u) > step_m) {
         result.at<std::uint8_t>(v, u) = 255;
       }
@@ -51,14 +49,14 @@ cv::Mat fliers(const cv::Mat& depth_m) {
 
 }  // namespace
 
-float edgeStep_m(float z_m) {
-  return kSlope_m + 3.0F * static_cast<float>(core::kinectDepthSigma_m(z_m)) + z_m * z_m / kDisparityStep_m;
+float edgeStep_m(float z_m, const core::DepthNoise& noise) {
+  return kSlope_m + 3.0F * static_cast<float>(noise.sigma_m(static_cast<double>(z_m))) + z_m * z_m / kDisparityStep_m;
 }
 
 cv::Mat usablePixels(const View& view, const knowledge::ClassSet& moving, const CloudOptions& options) {
   cv::Mat usable = (view.depth_m > 0) & (view.depth_m <= options.max_range_m);
   usable.setTo(0, movingPixels(view, moving, options.mover_margin_px));
-  usable.setTo(0, fliers(view.depth_m));
+  usable.setTo(0, fliers(view.depth_m, view.camera.depthNoise));
   return usable;
 }
 

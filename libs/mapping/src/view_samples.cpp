@@ -4,7 +4,6 @@
 #include <unordered_map>
 
 #include "cell_hash.h"
-#include "wardslam/core/depth_noise.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -20,12 +19,12 @@ struct CellOfInstanceHash {
 };
 
 /// Sums become means.
-void finish(Sample& sample) {
+void finish(Sample& sample, const core::DepthNoise& noise) {
   const auto n = static_cast<float>(sample.pixels);
   sample.p_map_m /= n;
   sample.color_rgb /= n;
   sample.depth_m /= n;
-  sample.sigma_m = static_cast<float>(core::kinectDepthSigma_m(sample.depth_m));
+  sample.sigma_m = static_cast<float>(noise.sigma_m(static_cast<double>(sample.depth_m)));
 }
 
 }  // namespace
@@ -61,7 +60,7 @@ std::vector<Sample> sampleView(const View& view, const Eigen::Isometry3d& T_map_
       ++sample.pixels;
     }
   }
-  for (Sample& sample : samples) finish(sample);
+  for (Sample& sample : samples) finish(sample, view.camera.depthNoise);
   return samples;
 }
 

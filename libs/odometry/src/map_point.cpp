@@ -1,7 +1,5 @@
 #include "wardslam/odometry/map_point.h"
 
-#include "wardslam/odometry/depth_noise.h"
-
 namespace wardslam::odometry {
 namespace {
 
@@ -12,7 +10,7 @@ constexpr double kMinDepth_m = 0.1;
 Eigen::Matrix3d measurementInformation(const core::Keypoint& keypoint, const core::CameraModel& camera,
                                        const Eigen::Matrix3d& R_map_cam) {
   const double z_m = keypoint.depth_m;
-  const double sigma_z_m = kinectDepthSigma_m(z_m);
+  const double sigma_z_m = camera.depthNoise.sigma_m(z_m);
   const double sigma_xy_m = z_m / camera.fx_px * static_cast<double>(keypoint.scale);
   Eigen::Matrix3d J = Eigen::Matrix3d::Identity();  // d p_cam / d (x and y across the ray, z along the axis)
   J.col(2) = camera.unproject({keypoint.undistorted_px.x, keypoint.undistorted_px.y}, 1.0);

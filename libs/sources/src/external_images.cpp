@@ -1,6 +1,7 @@
 #include "wardslam/sources/external_images.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationStereoImages.h>
 
 #include <string>
 
@@ -26,12 +27,16 @@ bool isCutOff(const fs::path& file, std::uint64_t matrix_bytes) {
   return !holds(matrix_bytes) && !holds(2 * matrix_bytes);  // before version 2.0 MRPT wrote floating-point numbers
 }
 
-void load(const CObservation3DRangeScan& scan) {
+void load(const mrpt::obs::CObservation& observation) {
   try {
-    scan.load();
+    observation.load();
   } catch (const std::exception&) {
     throw InputDamage("sources.image_unreadable", "an externally stored image cannot be read");
   }
+}
+
+void requireComplete(const mrpt::img::CImage& image) {
+  if (image.isExternallyStored()) requireCompleteImage(image.getExternalStorageFileAbsolutePath());
 }
 
 }  // namespace
@@ -45,10 +50,14 @@ std::optional<fs::path> findImageFolder(const fs::path& rawlog) {
   return std::nullopt;
 }
 
+void loadImages(const mrpt::obs::CObservationStereoImages& pair) {
+  requireComplete(pair.imageLeft);
+  if (pair.hasImageRight) requireComplete(pair.imageRight);
+  load(pair);
+}
+
 void loadImages(const CObservation3DRangeScan& scan) {
-  if (scan.intensityImage.isExternallyStored()) {
-    requireCompleteImage(scan.intensityImage.getExternalStorageFileAbsolutePath());
-  }
+  requireComplete(scan.intensityImage);
   const bool isRangeExternal = scan.rangeImage_isExternallyStored();
   const fs::path rangeFile = isRangeExternal ? scan.rangeImage_getExternalStorageFileAbsolutePath("") : "";
   if (isRangeExternal && !fs::exists(rangeFile)) {

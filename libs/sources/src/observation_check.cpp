@@ -1,6 +1,7 @@
 #include "observation_check.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationStereoImages.h>
 
 #include <cmath>
 #include <opencv2/core.hpp>
@@ -10,22 +11,30 @@ namespace {
 
 using mrpt::img::TCamera;
 
+constexpr double kLeastBaseline_m = 0.001;
+
+constexpr const char* kGiveCamera = "give the right --camera";
+constexpr const char* kCorrectRawlog = "correct that with rawlog-edit --camera-params";
+
 std::string sizeText(std::size_t width_px, std::size_t height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
 
+/// `remedy`: what to do about a wrong calibration.
 std::optional<std::string> whyUnusable(const TCamera& camera, std::size_t width_px, std::size_t height_px,
-                                       const std::string& name) {
-  if (!(camera.fx() > 0.0 && camera.fy() > 0.0)) return "has no calibration of its " + name + " camera; give --camera";
+                                       const std::string& name, const std::string& remedy) {
+  if (!(camera.fx() > 0.0 && camera.fy() > 0.0)) return "has no calibration of its " + name + " camera; " + remedy;
   if (camera.distortion == mrpt::img::DistortionModel::kannala_brandt) {
-    return "has a fisheye " + name + " camera; rectify the images and give --camera";
+    return "has a fisheye " + name + " camera; rectify the images and " + remedy;
   }
   if (camera.ncols != width_px || camera.nrows != height_px) {
     return "has a " + name + " image of " + sizeText(width_px, height_px) + " pixels, but its camera has " +
-           sizeText(camera.ncols, camera.nrows) + "; give the right --camera";
+           sizeText(camera.ncols, camera.nrows) + "; " + remedy;
   }
   return std::nullopt;
 }
+
+bool isEightBit(const cv::Mat& image) { return image.type() == CV_8UC1 || image.type() == CV_8UC3; }
 
 }  // namespace
 
@@ -36,12 +45,34 @@ std::optional<std::string> whyUnusable(const mrpt::obs::CObservation3DRangeScan&
   if (!(std::isfinite(observation.rangeUnits) && observation.rangeUnits > 0.0F)) return "has no valid range unit";
 
   const cv::Mat& image = observation.intensityImage.asCvMatRef();
-  if (image.type() != CV_8UC1 && image.type() != CV_8UC3) return "has an intensity image that is not 8 bit grey or RGB";
+  if (!isEightBit(image)) return "has an intensity image that is not 8 bit grey or RGB";
   auto reason = whyUnusable(observation.cameraParamsIntensity, static_cast<std::size_t>(image.cols),
-                            static_cast<std::size_t>(image.rows), "colour");
+                            static_cast<std::size_t>(image.rows), "colour", kGiveCamera);
   if (reason) return reason;
   return whyUnusable(observation.cameraParams, static_cast<std::size_t>(observation.rangeImage.cols()),
-                     static_cast<std::size_t>(observation.rangeImage.rows()), "depth");
+                     static_cast<std::size_t>(observation.rangeImage.rows()), "depth", kGiveCamera);
+}
+
+std::optional<std::string> whyUnusable(const mrpt::obs::CObservationStereoImages& pair) {
+  if (pair.imageLeft.isEmpty()) return "has no left image";
+  if (!pair.hasImageRight || pair.imageRight.isEmpty()) return "has no right image";
+  if (pair.timestamp == INVALID_TIMESTAMP) return "has no time stamp";
+  const cv::Mat& left = pair.imageLeft.asCvMatRef();
+  const cv::Mat& right = pair.imageRight.asCvMatRef();
+  if (!isEightBit(left) || !isEightBit(right)) return "has an image that is not 8 bit grey or RGB";
+  const auto width_px = static_cast<std::size_t>(left.cols);
+  const auto height_px = static_cast<std::size_t>(left.rows);
+  if (left.size() != right.size()) {
+    return "has a left image of " + sizeText(width_px, height_px) + " pixels and a right one of " +
+           sizeText(static_cast<std::size_t>(right.cols), static_cast<std::size_t>(right.rows)) +
+           "; record both in the same size";
+  }
+  if (auto reason = whyUnusable(pair.leftCamera, width_px, height_px, "left", kCorrectRawlog)) return reason;
+  if (auto reason = whyUnusable(pair.rightCamera, width_px, height_px, "right", kCorrectRawlog)) return reason;
+  if (!(pair.rightCameraPose.norm() > kLeastBaseline_m)) {
+    return std::string("has both cameras in one place; ") + kCorrectRawlog;
+  }
+  return std::nullopt;
 }
 
 }  // namespace wardslam::sources

@@ -9,7 +9,7 @@ namespace wardslam::sources {
 std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input, const SourceOptions& options) {
   if (!std::filesystem::exists(input)) throw core::InputError(input.string() + ": no such file or folder");
   const auto open = [&](WarningSink warn) -> std::unique_ptr<ObservationSource> {
-    const SourceOptions innerOptions{options.camera, std::move(warn)};
+    const SourceOptions innerOptions{options.camera, std::move(warn), options.stereo};
     if (std::filesystem::is_directory(input)) return std::make_unique<TumFolderSource>(input, innerOptions);
     return std::make_unique<RawlogSource>(input, innerOptions);
   };

@@ -11,6 +11,7 @@ PrefetchingSource::PrefetchingSource(const Opener& open, WarningSink warn, std::
       capacity_(capacity),
       inner_(open([this](const std::string& sentence) { collectedWarnings_.push_back(sentence); })),
       size_(inner_->size()),
+      depthNoise_(inner_->depthNoise()),
       damage_(inner_->damage()) {
   deliverWarnings(std::exchange(collectedWarnings_, {}));
   thread_ = std::thread([this] { produce(); });

@@ -1,6 +1,7 @@
 #include "wardslam/sources/rawlog_source.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationStereoImages.h>
 
 #include <utility>
 
@@ -16,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using mrpt::obs::CObservation3DRangeScan;
+using mrpt::obs::CObservationStereoImages;
 
 std::string joined(const std::set<std::string>& names) {
   std::string text;
@@ -26,8 +28,14 @@ std::string joined(const std::set<std::string>& names) {
 }  // namespace
 
 RawlogSource::RawlogSource(const fs::path& file, const SourceOptions& options)
-    : file_(file), reader_(std::make_unique<RawlogReader>(file)), damage_(std::make_unique<DamageLog>(options.warn)) {
-  if (options.camera) camera_ = readRgbdCamera(*options.camera);
+    : file_(file),
+      reader_(std::make_unique<RawlogReader>(file)),
+      damage_(std::make_unique<DamageLog>(options.warn)),
+      stereo_(options.stereo) {
+  if (options.camera) {
+    camera_ = readRgbdCamera(*options.camera);
+    depthNoise_ = camera_->color.depthNoise;
+  }
   first_ = readScan();
   if (!first_) failWithoutScans();
 }
@@ -44,9 +52,9 @@ const core::EventCounts& RawlogSource::damage() const { return damage_->counts()
 RawlogSource::ScanPtr RawlogSource::readScan() {
   do {
     while (!pending_.empty()) {
-      ScanPtr scan = std::move(pending_.front());
+      const ObservationPtr observation = std::move(pending_.front());
       pending_.pop_front();
-      if (isUsable(*scan)) return scan;
+      if (auto scan = takeIfUsable(observation)) return scan;
     }
   } while (fillPending());
   return nullptr;
@@ -60,8 +68,9 @@ bool RawlogSource::fillPending() {
     const auto observations = observationsIn(object);
     if (observations.empty()) passedOver_.insert(object->GetRuntimeClass()->className);
     for (const auto& observation : observations) {
-      if (auto scan = std::dynamic_pointer_cast<CObservation3DRangeScan>(observation)) {
-        pending_.push_back(std::move(scan));
+      if (std::dynamic_pointer_cast<CObservation3DRangeScan>(observation) ||
+          std::dynamic_pointer_cast<CObservationStereoImages>(observation)) {
+        pending_.push_back(observation);
       } else {
         passedOver_.insert(observation->GetRuntimeClass()->className);
       }
@@ -74,24 +83,47 @@ bool RawlogSource::fillPending() {
   }
 }
 
-bool RawlogSource::isUsable(CObservation3DRangeScan& scan) {
-  if (!scan.hasIntensityImage || !scan.hasRangeImage) {
+/// Null for an observation that is passed over or left out.
+RawlogSource::ScanPtr RawlogSource::takeIfUsable(const ObservationPtr& observation) {
+  const auto scan = std::dynamic_pointer_cast<CObservation3DRangeScan>(observation);
+  if (scan && !(scan->hasIntensityImage && scan->hasRangeImage)) {
     passedOver_.insert("scans without both images");
-    return false;
+    return nullptr;
   }
-  if (label_ && *label_ != scan.sensorLabel) return false;
+  if (label_ && *label_ != observation->sensorLabel) return nullptr;
   ++scansRead_;
   try {
-    loadImages(scan);
-    if (camera_) replaceCamera(scan, camera_->color);
-    if (const auto reason = whyUnusable(scan)) throw InputDamage("sources.observation_unusable", *reason);
+    const ScanPtr prepared = scan ? prepare(scan) : prepare(dynamic_cast<CObservationStereoImages&>(*observation));
+    label_ = observation->sensorLabel;
+    return prepared;
   } catch (const InputDamage& damage) {
-    damage_->add(damage.event(), file_.string() + ": observation " + std::to_string(scansRead_) + ": " + damage.what() +
-                                     "; it is left out, as are others like it");
-    return false;
+    const std::string what = "observation " + std::to_string(scansRead_) + ": " + damage.what();
+    if (firstDamage_.empty()) firstDamage_ = what;
+    damage_->add(damage.event(), file_.string() + ": " + what + "; it is left out, as are others like it");
+    return nullptr;
   }
-  label_ = scan.sensorLabel;
-  return true;
+}
+
+RawlogSource::ScanPtr RawlogSource::prepare(const ScanPtr& scan) const {
+  loadImages(*scan);
+  if (camera_) replaceCamera(*scan, camera_->color);
+  if (const auto reason = whyUnusable(*scan)) throw InputDamage("sources.observation_unusable", *reason);
+  return scan;
+}
+
+RawlogSource::ScanPtr RawlogSource::prepare(const CObservationStereoImages& pair) {
+  if (camera_) {
+    throw core::InputError(file_.string() + ": was recorded by a stereo camera, which a camera file cannot describe; " +
+                           "correct its calibration with rawlog-edit --camera-params instead of giving --camera");
+  }
+  loadImages(pair);
+  try {
+    auto scan = stereo_.convert(pair);
+    if (!label_) depthNoise_ = stereo_.noise();
+    return scan;
+  } catch (const core::FrameError& error) {
+    throw InputDamage("sources.observation_unusable", error.what());
+  }
 }
 
 void RawlogSource::failWithoutScans() const {
@@ -101,9 +133,10 @@ void RawlogSource::failWithoutScans() const {
     throw core::InputError(file + (isUnknownClass ? ": begins with an object of a class that is not linked in"
                                                   : ": is empty or not a rawlog"));
   }
-  if (scansRead_ > 0) throw core::InputError(file + ": none of its RGB-D observations can be used");
-  throw core::InputError(file + ": holds no CObservation3DRangeScan with an intensity and a range image" +
-                         (passedOver_.empty() ? "" : ", only: " + joined(passedOver_)));
+  if (scansRead_ > 0)
+    throw core::InputError(file + ": none of its RGB-D or stereo observations can be used; " + firstDamage_);
+  throw core::InputError(file + ": holds no CObservation3DRangeScan with an intensity and a range image and no " +
+                         "CObservationStereoImages" + (passedOver_.empty() ? "" : ", only: " + joined(passedOver_)));
 }
 
 }  // namespace wardslam::sources

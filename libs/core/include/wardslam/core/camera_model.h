@@ -5,6 +5,8 @@
 #include <tuple>
 #include <vector>
 
+#include "wardslam/core/depth_noise.h"
+
 namespace mrpt::img {
 class TCamera;
 }
@@ -25,6 +27,7 @@ struct CameraModel {
   double p1 = 0.0;
   double p2 = 0.0;
   double k3 = 0.0;
+  DepthNoise depthNoise;  ///< Of the depth registered to the image.
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit);
@@ -35,7 +38,7 @@ struct CameraModel {
     const auto values = [](const CameraModel& c) {
       return std::tuple(c.width_px, c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, c.p1, c.p2, c.k3);
     };
-    return values(*this) == values(other);
+    return values(*this) == values(other) && depthNoise == other.depthNoise;
   }
 
   /// Point in the camera frame (m, z > 0) to the *undistorted* (ideal pinhole) pixel.
@@ -71,6 +74,7 @@ void CameraModel::describe(Self& self, Visitor& visit) {
   visit("p1", self.p1, {-10.0, 10.0}, "", "tangential distortion");
   visit("p2", self.p2, {-10.0, 10.0}, "", "tangential distortion");
   visit("k3", self.k3, {-1000.0, 1000.0}, "", "radial distortion");
+  visit.group("depth_noise", self.depthNoise);
 }
 
 }  // namespace wardslam::core

@@ -74,6 +74,7 @@ class PointTracker {
 };
 
 /// Of CV_32FC1 `depth_m` (m, 0 = none) around a raw pixel.
-[[nodiscard]] DepthAround depthAround(const cv::Mat& depth_m, const cv::Point2f& raw_px);
+[[nodiscard]] DepthAround depthAround(const cv::Mat& depth_m, const cv::Point2f& raw_px,
+                                      const core::DepthNoise& noise = {});
 
 }  // namespace wardslam::filters

@@ -7,7 +7,6 @@
 
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/keypoint.h"
-#include "wardslam/odometry/depth_noise.h"
 
 namespace wardslam::odometry {
 
@@ -33,7 +32,7 @@ inline constexpr double kChiSquareWithDepth = 7.815;
 }
 
 /// Error of one sighting of a map point in units of its standard deviation: two components of reprojection and, where
-/// depth was measured, a third along the optical axis (depth by the Kinect's noise model).
+/// depth was measured, a third along the optical axis (with the noise of the camera's depth).
 struct ObservationError {
   ObservationError(const core::Keypoint& keypoint, const core::CameraModel& camera_, double pixelSigma_px,
                    double depthSigmaScale)
@@ -41,7 +40,7 @@ struct ObservationError {
         measured_px(keypoint.undistorted_px.x, keypoint.undistorted_px.y),
         measuredDepth_m(static_cast<double>(keypoint.depth_m)),
         sigma_px(pixelSigma_px * static_cast<double>(keypoint.scale)),
-        sigmaDepth_m(depthSigmaScale * kinectDepthSigma_m(measuredDepth_m)) {}
+        sigmaDepth_m(depthSigmaScale * camera.depthNoise.sigma_m(measuredDepth_m)) {}
 
   template <class T>
   bool operator()(const T* pose, const T* p_map, T* error) const {

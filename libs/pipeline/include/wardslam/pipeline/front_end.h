@@ -30,6 +30,10 @@ class FrontEnd {
   /// Throws core::InputError when a file the options name is missing or wrong.
   explicit FrontEnd(const SlamOptions& options, const odometry::Continuation& earlier = {});
 
+  /// How sure the depth of the observations to come is (sources::ObservationSource::depthNoise); a Kinect's unless
+  /// told.
+  void setDepthNoise(const core::DepthNoise& noise) { frameBuilder_.setDepthNoise(noise); }
+
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
   /// core::InputError for what no later observation mends. Filters annotate the observation.
   Result process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);

@@ -11,7 +11,7 @@
 #include "wardslam/odometry/odometry_options.h"
 #include "wardslam/pipeline/start_pose.h"
 #include "wardslam/segmentation/segmenter_factory.h"
-#include "wardslam/sources/live_options.h"
+#include "wardslam/sources/source_settings.h"
 
 namespace wardslam::pipeline {
 

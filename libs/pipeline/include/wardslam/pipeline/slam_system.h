@@ -29,6 +29,10 @@ class SlamSystem {
   /// map contradict those in use.
   explicit SlamSystem(const SlamOptions& options, const EarlierMap& earlier = {});
 
+  /// How sure the depth of the observations to come is (sources::ObservationSource::depthNoise); a Kinect's unless
+  /// told.
+  void setDepthNoise(const core::DepthNoise& noise) { frontEnd_.setDepthNoise(noise); }
+
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
   /// core::InputError for what no later observation mends. Filters annotate the observation.
   odometry::OdometryResult process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);

@@ -5,7 +5,8 @@
 
 namespace mrpt::obs {
 class CObservation3DRangeScan;
-}
+class CObservationStereoImages;
+}  // namespace mrpt::obs
 
 namespace wardslam::sources {
 
@@ -14,5 +15,6 @@ namespace wardslam::sources {
 
 /// Brings externally stored images into memory. Throws InputDamage where one is missing or cut off.
 void loadImages(const mrpt::obs::CObservation3DRangeScan& scan);
+void loadImages(const mrpt::obs::CObservationStereoImages& pair);
 
 }  // namespace wardslam::sources

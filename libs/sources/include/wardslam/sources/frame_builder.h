@@ -16,6 +16,9 @@ class FrameBuilder {
   FrameBuilder(FrameBuilder&&) noexcept;
   FrameBuilder& operator=(FrameBuilder&&) noexcept;
 
+  /// How sure the depth of the frames to come is; a Kinect's unless told.
+  void setDepthNoise(const core::DepthNoise& noise) { depthNoise_ = noise; }
+
   /// Keeps a reference to the observation in Frame::observation; the colour image shares its memory. Depth that is
   /// farther than any such camera can see becomes 0. Throws core::FrameError when image or range image are missing,
   /// or have no calibration or not the size that it says.
@@ -25,6 +28,7 @@ class FrameBuilder {
   class DepthConverter;
 
   std::uint64_t nextIndex_ = 0;
+  core::DepthNoise depthNoise_;
   std::unique_ptr<DepthConverter> depthConverter_;
 };
 

@@ -25,14 +25,4 @@ struct LiveOptions {
   }
 };
 
-/// Section `sources:` of the configuration.
-struct SourceSettings {
-  LiveOptions live;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit.group("live", self.live);
-  }
-};
-
 }  // namespace wardslam::sources

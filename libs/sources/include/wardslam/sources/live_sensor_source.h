@@ -55,6 +55,9 @@ class LiveSensorSource : public ObservationSource {
 
   /// Always empty: see counts().
   [[nodiscard]] const core::EventCounts& damage() const override { return noDamage_; }
+  [[nodiscard]] core::DepthNoise depthNoise() const override {
+    return camera_ ? camera_->color.depthNoise : core::DepthNoise{};
+  }
   [[nodiscard]] LiveCounts counts() const;
 
  private:

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "wardslam/core/depth_noise.h"
 #include "wardslam/core/event_counts.h"
+#include "wardslam/sources/stereo_options.h"
 
 namespace mrpt::obs {
 class CObservation3DRangeScan;
@@ -28,6 +30,9 @@ class ObservationSource {
 
   /// Unreadable input met so far, by kind ("sources.image_missing"). Empty: all was well.
   [[nodiscard]] virtual const core::EventCounts& damage() const = 0;
+
+  /// How sure the measured depths are. A Kinect's, for sources that know nothing better.
+  [[nodiscard]] virtual core::DepthNoise depthNoise() const { return {}; }
 };
 
 /// Receives one sentence about survived trouble; the program decides where it goes. Called from the thread that
@@ -37,6 +42,7 @@ using WarningSink = std::function<void(const std::string&)>;
 struct SourceOptions {
   std::optional<std::filesystem::path> camera;  ///< Camera file: replaces the calibration of the recording.
   WarningSink warn = [](const std::string&) {};
+  StereoOptions stereo = {};  ///< How depth is made of the images of a stereo camera.
 };
 
 /// Opens a TUM folder or a .rawlog file, told apart by what the path is, and decodes images ahead in a thread of its

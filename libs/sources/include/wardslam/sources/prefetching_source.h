@@ -26,6 +26,7 @@ class PrefetchingSource : public ObservationSource {
   [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() override;
   [[nodiscard]] std::optional<std::size_t> size() const override { return size_; }
   [[nodiscard]] const core::EventCounts& damage() const override { return damage_; }
+  [[nodiscard]] core::DepthNoise depthNoise() const override { return depthNoise_; }
 
  private:
   /// What one call of the inner next() brought.
@@ -47,6 +48,7 @@ class PrefetchingSource : public ObservationSource {
   std::vector<std::string> collectedWarnings_;  ///< By the thread that calls the inner source.
   std::unique_ptr<ObservationSource> inner_;
   std::optional<std::size_t> size_;
+  core::DepthNoise depthNoise_;
   core::EventCounts damage_;
   bool ended_ = false;
 

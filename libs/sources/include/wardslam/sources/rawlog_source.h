@@ -9,6 +9,11 @@
 
 #include "wardslam/sources/observation_source.h"
 #include "wardslam/sources/rgbd_camera.h"
+#include "wardslam/sources/stereo_depth.h"
+
+namespace mrpt::obs {
+class CObservation;
+}
 
 namespace wardslam::sources {
 
@@ -16,8 +21,8 @@ class DamageLog;
 class RawlogReader;
 
 /// The CObservation3DRangeScan of an MRPT rawlog (gz-compressed or not; a list of observations or of sensory frames),
-/// read as a stream. Observations of other classes are passed over, and so are scans of other sensors than that of
-/// the first scan that has both images.
+/// read as a stream. A CObservationStereoImages becomes a scan (StereoDepth). Observations of other classes are passed
+/// over, and so are those of other sensors than that of the first that has both images.
 ///
 /// A rawlog that ends in the middle of an object delivers everything before and then counts
 /// "sources.rawlog_truncated"; reading also ends at an object of a class that RawlogReader does not know.
@@ -30,13 +35,17 @@ class RawlogSource : public ObservationSource {
   [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() override;
   [[nodiscard]] std::optional<std::size_t> size() const override { return std::nullopt; }
   [[nodiscard]] const core::EventCounts& damage() const override;
+  [[nodiscard]] core::DepthNoise depthNoise() const override { return depthNoise_; }
 
  private:
   using ScanPtr = std::shared_ptr<mrpt::obs::CObservation3DRangeScan>;
+  using ObservationPtr = std::shared_ptr<mrpt::obs::CObservation>;
 
   [[nodiscard]] ScanPtr readScan();
   [[nodiscard]] bool fillPending();
-  [[nodiscard]] bool isUsable(mrpt::obs::CObservation3DRangeScan& scan);
+  [[nodiscard]] ScanPtr takeIfUsable(const ObservationPtr& observation);
+  [[nodiscard]] ScanPtr prepare(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& scan) const;
+  [[nodiscard]] ScanPtr prepare(const mrpt::obs::CObservationStereoImages& pair);
   [[noreturn]] void failWithoutScans() const;
 
   std::filesystem::path file_;
@@ -44,10 +53,14 @@ class RawlogSource : public ObservationSource {
   std::unique_ptr<RawlogReader> reader_;
   std::unique_ptr<DamageLog> damage_;
 
-  std::deque<ScanPtr> pending_;  ///< From the sensory frame read last.
-  ScanPtr first_;                ///< Read when opening, delivered by the first next().
+  StereoDepth stereo_;
+  core::DepthNoise depthNoise_;  ///< Of the first observation's sensor.
+
+  std::deque<ObservationPtr> pending_;  ///< From the sensory frame read last.
+  ScanPtr first_;                       ///< Read when opening, delivered by the first next().
   std::optional<std::string> label_;
   std::set<std::string> passedOver_;  ///< Classes met that are no scans with both images.
+  std::string firstDamage_;           ///< What the first observation that could not be used suffers from.
   std::size_t scansRead_ = 0;
 };
 

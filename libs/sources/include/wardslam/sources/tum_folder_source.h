@@ -26,6 +26,7 @@ class TumFolderSource : public ObservationSource {
   [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() override;
   [[nodiscard]] std::optional<std::size_t> size() const override { return pairs_.size(); }
   [[nodiscard]] const core::EventCounts& damage() const override;
+  [[nodiscard]] core::DepthNoise depthNoise() const override { return camera_.color.depthNoise; }
 
  private:
   [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> read(const ImagePair& pair) const;
