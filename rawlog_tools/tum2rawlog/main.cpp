@@ -12,6 +12,7 @@
 #include "wardslam/core/errors.h"
 #include "wardslam/sources/observation_source.h"
 #include "wardslam/sources/rawlog_writer.h"
+#include "wardslam/sources/tum_notes.h"
 
 namespace wardslam::apps {
 namespace {
@@ -43,6 +44,9 @@ int convert(const Arguments& arguments) {
   options.warn = warn;
   const auto source = sources::openSource(arguments.input, options);
   sources::RawlogWriter rawlog(arguments.output);
+  if (std::filesystem::is_directory(arguments.input)) {
+    sources::writeTumNotes(sources::notesOfTumFolder(arguments.input), rawlog);
+  }
   const std::size_t copied = copyAll(*source, rawlog);
   if (copied == 0) throw core::InputError(arguments.input.string() + ": no image pair could be read");
   rawlog.commit();

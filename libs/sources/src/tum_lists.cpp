@@ -47,7 +47,9 @@ ListLine parseLine(const std::string& text, int number, std::size_t images, cons
   }
   ListLine line;
   line.number = number;
-  for (std::size_t i = 0; i < images; ++i) line.entries.push_back({parseStamp(words[2 * i], where), words[2 * i + 1]});
+  for (std::size_t i = 0; i < images; ++i) {
+    line.entries.push_back({parseStamp(words[2 * i], where), words[2 * i + 1], words[2 * i]});
+  }
   return line;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace wardslam::sources {
@@ -9,6 +10,7 @@ namespace wardslam::sources {
 struct ImageEntry {
   double stamp_s = 0.0;
   std::filesystem::path file;  ///< As listed: relative to the folder of the list.
+  std::string stampText;       ///< As listed.
 };
 
 /// A colour image, the depth image that belongs to it, and the line that says so.

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "support/interruption.h"
+#include "wardslam/core/event_counts.h"
+#include "wardslam/pipeline/slam_options.h"
+
+namespace wardslam::rawlog_annotate {
+
+struct AnnotationJob {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  pipeline::SlamOptions options;
+  std::string sensorLabel;  ///< Empty: the first RGB-D sensor of the rawlog.
+  bool embed = false;       ///< Everything into one file, which then needs the plug-in to be read.
+};
+
+struct AnnotationReport {
+  std::size_t objects = 0;        ///< Of the input.
+  std::size_t resumedAt = 0;      ///< So many of them were done by an interrupted run.
+  std::size_t annotated = 0;      ///< Scans annotated by this run.
+  std::filesystem::path sidecar;  ///< Empty: none.
+  core::EventCounts events;
+  std::string trouble;  ///< The first about input that could not be used, a sentence part; empty: all was well.
+};
+
+/// Throws core::InputError; what is done by then is kept for the next run of the same job. So it is when interrupted.
+[[nodiscard]] AnnotationReport annotateRawlog(const AnnotationJob& job, const apps::InterruptionGuard& interruption);
+
+}  // namespace wardslam::rawlog_annotate
