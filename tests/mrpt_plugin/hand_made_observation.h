@@ -13,7 +13,7 @@ inline CObservationSemanticRGBD handMadeObservation() {
   o.sensorLabel = "RGBD_SEM";
   o.timestamp = mrpt::Clock::fromDouble(1234567890.25);
   o.cameraPose = mrpt::poses::CPose3D(0.1, 0.2, 1.3, 0.5, -0.1, 0.2);
-  o.camera = {64, 48, 50.0, 51.0, 31.5, 23.5, 0.01, -0.02, 0.001, 0.002, 0.003};
+  o.camera = {64, 48, 50.0, 51.0, 31.5, 23.5, 0.01, -0.02, 0.001, 0.002, 0.003, {0.002, 0.004, 0.5}};
 
   o.segmentation.classIds = cv::Mat(48, 64, CV_8UC1, cv::Scalar(0));
   o.segmentation.instanceIds = cv::Mat(48, 64, CV_16UC1, cv::Scalar(0));

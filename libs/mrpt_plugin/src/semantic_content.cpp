@@ -42,7 +42,8 @@ template <class Field>
 void forEachField(core::CameraModel& c, const Field& field) {
   field(c.width_px);
   field(c.height_px);
-  for (double* value : {&c.fx_px, &c.fy_px, &c.cx_px, &c.cy_px, &c.k1, &c.k2, &c.p1, &c.p2, &c.k3}) {
+  for (double* value : {&c.fx_px, &c.fy_px, &c.cx_px, &c.cy_px, &c.k1, &c.k2, &c.p1, &c.p2, &c.k3,
+                        &c.depthNoise.least_m, &c.depthNoise.growth_per_m, &c.depthNoise.from_m}) {
     field(*value);
   }
 }
