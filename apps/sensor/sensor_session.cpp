@@ -68,11 +68,10 @@ CGenericSensor::Ptr create(const SensorConfiguration& sensor) {
   try {
     driver = CGenericSensor::createSensorPtr(sensor.driver);
   } catch (const std::exception& error) {
-    throw core::InputError(sensor.place() + ": " + sentenceOf(error) + adviceFor(sensor.driver));
+    throw core::InputError(sentenceOf(error) + adviceFor(sensor.driver));
   }
   if (driver) return driver;
-  throw core::InputError(sensor.place() + ": driver = " + sensor.driver +
-                         " is no sensor class of MRPT or of a plug-in; did you mean '" +
+  throw core::InputError("driver = " + sensor.driver + " is no sensor class of MRPT or of a plug-in; did you mean '" +
                          core::nearestName(sensor.driver, kRgbdDrivers) + "'?");
 }
 
@@ -119,7 +118,7 @@ void run(const SensorRequest& request, const MessageSink& send, const std::atomi
   } catch (const core::InputError&) {
     throw;
   } catch (const std::exception& error) {
-    throw std::runtime_error(sensor.place() + ": " + sentenceOf(error) + adviceFor(sensor.driver));
+    throw std::runtime_error(sentenceOf(error) + adviceFor(sensor.driver));
   }
 }
 

@@ -32,7 +32,7 @@ TEST_F(SensorConfigurationFile, NamesSectionDriverAndRate) {
   EXPECT_EQ(sensor.section, "KINECT");
   EXPECT_EQ(sensor.driver, "CKinect");
   EXPECT_EQ(sensor.process_rate_hz, 200.0);
-  EXPECT_EQ(sensor.place(), file.string() + ": [KINECT]");
+  EXPECT_EQ(sensor.place, file.string() + ": [KINECT]");
 }
 
 TEST_F(SensorConfigurationFile, HasOneSensorUnlessToldWhich) {

@@ -2,6 +2,7 @@
 
 #include <mrpt/core/initializer.h>
 
+#include "semantic_rgbd_sensor.h"
 #include "wardslam/filters/register_filters.h"
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
 
@@ -9,6 +10,7 @@ namespace wardslam::mrpt_plugin {
 
 void registerAll() {
   mrpt::rtti::registerClass(CLASS_ID(CObservationSemanticRGBD));
+  CSemanticRGBDSensor::doRegister();
   filters::registerAllFilters();
 }
 

@@ -11,6 +11,7 @@ namespace wardslam::pipeline {
 namespace {
 
 constexpr const char* kConfig = "config";
+constexpr const char* kForGrabber = "rawlog-grabber-ignore";  ///< Tells rawlog-grabber that a section is no sensor.
 
 /// Where a name is that a file gives: beside that file, if it is one.
 std::filesystem::path besideIni(const std::filesystem::path& name, const mrpt::config::CConfigFileBase& ini) {
@@ -42,7 +43,7 @@ SlamOptions readSlamOptions(const mrpt::config::CConfigFileBase& ini, const std:
   std::vector<std::string> keys;
   ini.getAllKeys(section, keys);
   for (const auto& key : keys) {
-    if (key != kConfig) set(root, key, ini.read_string(section, key, ""));
+    if (key != kConfig && key != kForGrabber) set(root, key, ini.read_string(section, key, ""));
   }
   return readSlamOptions(core::ConfigNode(root, file.empty() ? std::filesystem::path("[" + section + "]") : file));
 }

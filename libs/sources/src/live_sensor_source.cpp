@@ -102,7 +102,7 @@ LiveSensorSource::Ending LiveSensorSource::connect() {
     while (!isStopping_) {
       const auto status = reader.read(message, kSlice);
       if (status == SensorMessageReader::Status::Closed) {
-        return {sensor_.sensor.place() + ": the driver " + process.howItEnded()};
+        return {sensor_.sensor.place + ": the driver " + process.howItEnded()};
       }
       if (status == SensorMessageReader::Status::Nothing) {
         if (Clock::now() < deadline) continue;
@@ -110,7 +110,7 @@ LiveSensorSource::Ending LiveSensorSource::connect() {
         return silence();
       }
       if (message.kind != SensorMessage::Kind::Observation) {
-        return {message.bytes, message.kind == SensorMessage::Kind::Refusal};
+        return {sensor_.sensor.place + ": " + message.bytes, message.kind == SensorMessage::Kind::Refusal};
       }
       welcome(std::move(message.bytes));
       deadline = Clock::now() + toDuration(sensor_.options.silence_timeout_s);
@@ -123,22 +123,21 @@ LiveSensorSource::Ending LiveSensorSource::connect() {
 
 LiveSensorSource::Ending LiveSensorSource::silence() const {
   if (isConnected_) {
-    return {sensor_.sensor.place() + ": no image for " + seconds(sensor_.options.silence_timeout_s) +
+    return {sensor_.sensor.place + ": no image for " + seconds(sensor_.options.silence_timeout_s) +
             "; the camera is unplugged or its driver hangs"};
   }
   std::string hint = "; is another program using it?";
   if (sensor_.sensor.driver == "COpenNI2Sensor") {
     hint = "; COpenNI2Sensor waits for ever where a camera has no infrared stream or not this width, height and fps";
   }
-  return {sensor_.sensor.place() + ": the camera sent no image within " + seconds(sensor_.options.open_timeout_s) +
-          hint};
+  return {sensor_.sensor.place + ": the camera sent no image within " + seconds(sensor_.options.open_timeout_s) + hint};
 }
 
 void LiveSensorSource::welcome(std::string frame) {
   frames_.push(std::move(frame));
   if (std::exchange(isConnected_, true) || !lostAt_) return;
   ++reconnects_;
-  say(sensor_.sensor.place() + ": the camera is back after " + seconds(secondsSince(*lostAt_)));
+  say(sensor_.sensor.place + ": the camera is back after " + seconds(secondsSince(*lostAt_)));
 }
 
 void LiveSensorSource::pause(int failures) const {
@@ -197,7 +196,7 @@ void LiveSensorSource::endure(const std::string& reason) {
   ++unusable_;
   if (!unusableSince_) unusableSince_ = Clock::now();
   if (secondsSince(*unusableSince_) < sensor_.options.silence_timeout_s) return;
-  throw core::InputError(sensor_.sensor.place() + ": every observation for " +
+  throw core::InputError(sensor_.sensor.place + ": every observation for " +
                          seconds(sensor_.options.silence_timeout_s) + " " + reason);
 }
 

@@ -11,6 +11,7 @@
 namespace wardslam::sources {
 namespace {
 
+using mrpt::config::CConfigFileBase;
 using Names = std::vector<std::string>;
 
 constexpr const char* kGlobalSection = "global";
@@ -29,7 +30,7 @@ std::string joined(const Names& names) {
   return text;
 }
 
-Names sensorSections(const mrpt::config::CConfigFile& ini) {
+Names sensorSections(const CConfigFileBase& ini) {
   Names sections;
   ini.getAllSections(sections);
   const auto isNoSensor = [&](const std::string& section) {
@@ -39,24 +40,25 @@ Names sensorSections(const mrpt::config::CConfigFile& ini) {
   return sections;
 }
 
-std::string chooseSection(const std::filesystem::path& file, const Names& sections, const std::string& wanted) {
+std::string chooseSection(const CConfigFileBase& ini, const std::filesystem::path& file, const std::string& wanted) {
+  if (!wanted.empty() && ini.sectionExists(wanted)) return wanted;
+  const Names sections = sensorSections(ini);
   if (sections.empty()) throw core::InputError(file.string() + ": holds no section for a sensor, like [OPENNI2]");
   if (wanted.empty()) {
     if (sections.size() == 1) return sections.front();
     throw core::InputError(file.string() + ": holds several sensors (" + joined(sections) +
                            "); say which with --sensor");
   }
-  if (std::find(sections.begin(), sections.end(), wanted) != sections.end()) return wanted;
   throw core::InputError(file.string() + ": has no sensor [" + wanted + "]; did you mean [" +
                          core::nearestName(wanted, sections) + "]?");
 }
 
-void requireKey(const mrpt::config::CConfigFile& ini, const SensorConfiguration& sensor, const std::string& key) {
+void requireKey(const CConfigFileBase& ini, const SensorConfiguration& sensor, const std::string& key) {
   if (ini.keyExists(sensor.section, key)) return;
   Names keys;
   ini.getAllKeys(sensor.section, keys);
   const std::string nearest = core::nearestName(key, keys);
-  throw core::InputError(sensor.place() + ": the key '" + key + "' is missing" +
+  throw core::InputError(sensor.place + ": the key '" + key + "' is missing" +
                          (nearest.empty() ? "" : " (the nearest one there is '" + nearest + "')"));
 }
 
@@ -64,16 +66,21 @@ void requireKey(const mrpt::config::CConfigFile& ini, const SensorConfiguration&
 
 SensorConfiguration readSensorConfiguration(const std::filesystem::path& file, const std::string& section) {
   if (!std::filesystem::is_regular_file(file)) throw core::InputError(file.string() + ": no such file");
-  const mrpt::config::CConfigFile ini(file.string());
+  return readSensorConfiguration(mrpt::config::CConfigFile(file.string()), file, section);
+}
+
+SensorConfiguration readSensorConfiguration(const CConfigFileBase& ini, const std::filesystem::path& file,
+                                            const std::string& section) {
   SensorConfiguration sensor;
   sensor.file = file;
-  sensor.section = chooseSection(file, sensorSections(ini), section);
+  sensor.section = chooseSection(ini, file, section);
+  sensor.place = file.string() + ": [" + sensor.section + "]";
   requireKey(ini, sensor, "driver");
   sensor.driver = ini.read_string(sensor.section, "driver", "");
   requireKey(ini, sensor, "process_rate");
   sensor.process_rate_hz = ini.read_double(sensor.section, "process_rate", 0.0);
   if (!(sensor.process_rate_hz > 0.0)) {
-    throw core::InputError(sensor.place() + ": process_rate must be a number of Hz above 0");
+    throw core::InputError(sensor.place + ": process_rate must be a number of Hz above 0");
   }
   for (const std::string& key : requiredKeys(sensor.driver)) requireKey(ini, sensor, key);
   return sensor;

@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
+
+namespace mrpt::config {
+class CConfigFileBase;
+}
 
 namespace wardslam::sources {
 
@@ -12,14 +15,17 @@ struct SensorConfiguration {
   std::string section;           ///< "OPENNI2"
   std::string driver;            ///< MRPT class derived from CGenericSensor: "COpenNI2Sensor".
   double process_rate_hz = 0.0;  ///< How often the driver is asked for observations.
-
-  /// "config/sensors/openni2.ini: [OPENNI2]", to begin sentences with.
-  [[nodiscard]] std::string place() const { return file.string() + ": [" + section + "]"; }
+  std::string place;             ///< "config/sensors/openni2.ini: [OPENNI2]", to begin sentences with.
 };
 
 /// The sensor in this section; where `section` is empty, the only one of the file. [global] and sections with
 /// rawlog-grabber-ignore are no sensors. Throws core::InputError naming file, section, key and the nearest valid name.
 [[nodiscard]] SensorConfiguration readSensorConfiguration(const std::filesystem::path& file,
+                                                          const std::string& section = {});
+
+/// The same from what was read already; `file` is only noted.
+[[nodiscard]] SensorConfiguration readSensorConfiguration(const mrpt::config::CConfigFileBase& ini,
+                                                          const std::filesystem::path& file,
                                                           const std::string& section = {});
 
 /// Whether a path means a live sensor: a configuration file (.ini), not a recording.
