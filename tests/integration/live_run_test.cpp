@@ -2,14 +2,14 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "cli_test_support.h"
-#include "room_recording.h"
+#include "support/temporary_folder.h"
+#include "virtual_camera.h"
 
 namespace wardslam {
 namespace {
@@ -23,32 +23,15 @@ using ::testing::MatchesRegex;
 
 #ifdef WARDSLAM_VIRTUAL_OPENNI2
 
-/// `wardslam run openni2.ini` with MRPT's COpenNI2Sensor, OpenNI2 itself and a driver that shows a walk through a room
-/// (tests/support/virtual_openni2).
+/// `wardslam run openni2.ini` with MRPT's COpenNI2Sensor, OpenNI2 itself and a driver for tests.
 class LiveRun : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { room = new test::RoomRecording; }
-  static void TearDownTestSuite() { delete room; }
-
-  void SetUp() override {
-    const char* before = std::getenv("LD_LIBRARY_PATH");
-    const std::string path = WARDSLAM_VIRTUAL_OPENNI2 + (before == nullptr ? "" : ":" + std::string(before));
-    setenv("LD_LIBRARY_PATH", path.c_str(), 1);
-    setenv("WARDSLAM_VIRTUAL_CAMERA", (folder.path() / "camera.txt").c_str(), 1);
-    setCamera("plugged");
+  LiveRun() {
     folder.write("quick.yaml",
                  "sources:\n  live:\n    open_timeout: 5\n    silence_timeout: 0.5\n    first_pause: 0.1\n"
                  "    longest_pause: 0.2\n");
   }
-  void TearDown() override {
-    unsetenv("WARDSLAM_VIRTUAL_CAMERA");
-    unsetenv("LD_LIBRARY_PATH");
-  }
 
-  void setCamera(const std::string& state, const std::string& more = "") const {
-    folder.write("camera.new", "folder = " + room->path().string() + "\nstate = " + state + "\n" + more);
-    fs::rename(folder.path() / "camera.new", folder.path() / "camera.txt");  // never seen half written
-  }
   [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& more) const {
     std::vector<std::string> words = {"run",      WARDSLAM_CONFIG_DIR "/sensors/openni2.ini",
                                       "--out",    out,
@@ -67,7 +50,7 @@ class LiveRun : public ::testing::Test {
   }
   [[nodiscard]] nlohmann::json summary() const { return nlohmann::json::parse(test::readText(out / "summary.json")); }
 
-  inline static test::RoomRecording* room = nullptr;
+  test::VirtualCamera camera;
   test::TemporaryFolder folder;
   fs::path out = folder.path() / "out";
 };
@@ -90,10 +73,10 @@ TEST_F(LiveRun, TracksACamera) {
 TEST_F(LiveRun, GoesOnWhenTheCameraIsUnpluggedAndBack) {
   test::RunningProgram program("wardslam", arguments({}));
   waitForPoses();
-  setCamera("unplugged");
+  camera.set("unplugged");
   std::this_thread::sleep_for(1500ms);  // longer than an image may stay away
   const auto posesBefore = test::readText(out / "trajectory_live.txt.partial").size();
-  setCamera("plugged");
+  camera.set("plugged");
   for (int i = 0; i < 1000 && test::readText(out / "trajectory_live.txt.partial").size() < posesBefore + 500; ++i) {
     std::this_thread::sleep_for(10ms);
   }
@@ -111,7 +94,7 @@ TEST_F(LiveRun, EndsWithASentenceWhenTheCameraStaysAway) {
                "sources:\n  live:\n    silence_timeout: 0.5\n    first_pause: 0.1\n    max_attempts: 1\n");
   test::RunningProgram program("wardslam", arguments({}));
   waitForPoses();
-  setCamera("unplugged");
+  camera.set("unplugged");
   const auto result = program.wait();
   EXPECT_EQ(result.exitCode, 1);
   EXPECT_THAT(result.err, HasSubstr("no OpenNI2 camera was found"));
@@ -120,7 +103,7 @@ TEST_F(LiveRun, EndsWithASentenceWhenTheCameraStaysAway) {
 }
 
 TEST_F(LiveRun, SaysWhenThereIsNoCamera) {
-  setCamera("unplugged");
+  camera.set("unplugged");
   const auto result = run({});
   EXPECT_EQ(result.exitCode, 1);
   EXPECT_THAT(result.err, MatchesRegex("wardslam: .*openni2.ini: \\[OPENNI2\\]: no OpenNI2 camera was found [^\n]*\n"));
@@ -128,7 +111,7 @@ TEST_F(LiveRun, SaysWhenThereIsNoCamera) {
 }
 
 TEST_F(LiveRun, SaysWhenTheCameraHasNoInfraredStream) {
-  setCamera("plugged", "infrared = absent\n");  // COpenNI2Sensor would wait for ever
+  camera.set("plugged", "infrared = absent\n");  // COpenNI2Sensor would wait for ever
   folder.write("quick.yaml", "sources:\n  live:\n    open_timeout: 2.5\n");
   const auto result = run({});
   EXPECT_EQ(result.exitCode, 1);
@@ -138,14 +121,14 @@ TEST_F(LiveRun, SaysWhenTheCameraHasNoInfraredStream) {
 }
 
 TEST_F(LiveRun, SaysWhenTheCameraHasAnotherMode) {
-  setCamera("plugged", "mode_width = 320\nmode_height = 240\nwidth = 320\nheight = 240\n");
+  camera.set("plugged", "mode_width = 320\nmode_height = 240\nwidth = 320\nheight = 240\n");
   const auto result = run({});
   EXPECT_EQ(result.exitCode, 1);
   EXPECT_THAT(result.err, HasSubstr("has it this width, height and fps?"));
 }
 
 TEST_F(LiveRun, SaysWhenImagesHaveAnotherSizeThanTheMode) {
-  setCamera("plugged", "width = 320\nheight = 240\n");
+  camera.set("plugged", "width = 320\nheight = 240\n");
   const auto result = run({});
   EXPECT_EQ(result.exitCode, 1);
   EXPECT_THAT(result.err, HasSubstr("every observation for 0.5 s has a colour image of 320x240 pixels, but its camera "

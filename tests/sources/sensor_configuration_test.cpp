@@ -39,7 +39,7 @@ TEST_F(SensorConfigurationFile, HasOneSensorUnlessToldWhich) {
   const std::string two = "[FRONT]\ndriver = X\nprocess_rate = 1\n[REAR]\ndriver = Y\nprocess_rate = 2\n";
   EXPECT_EQ(readSensorConfiguration(write(two), "REAR").driver, "Y");
   expectError(two, "holds several sensors (FRONT, REAR); say which with --sensor");
-  expectError(two, "has no sensor [Rear]; did you mean [REAR]?", "Rear");
+  expectError(two, "has no sensor [REER]; did you mean [REAR]?", "REER");
   expectError("[global]\nx = 1\n", "holds no section for a sensor, like [OPENNI2]");
 }
 

@@ -41,18 +41,20 @@ class CSemanticRGBDSensor::Work {
   Work(const mrpt::config::CConfigFileBase& ini, const std::string& section)
       : ini_(ini),
         options_(readOptions(ini, ini.read_string(section, "filters", ""))),
+        cameraPlugin_(ini.read_string(section, "camera_plugin", "")),
         hasCompanion_(ini.read_bool(section, "companion", false)) {
     const std::string camera = ini.read_string(section, "camera", "");
     if (camera.empty() || camera == section) {
       throw core::InputError("[" + section + "]: the key 'camera' must name the section of the camera");
     }
-    camera_ = sources::readSensorConfiguration(ini, ini_.path(), camera);
-    camera_.place = "[" + camera + "]";  // nobody knows the temporary file
+    camera_ = sources::readSensorConfiguration(ini, "the configuration", camera);
+    camera_.file = ini_.path();
   }
 
   void open() {
     sources::LiveSensor live;
     live.sensor = camera_;
+    if (!cameraPlugin_.empty()) live.plugins = {cameraPlugin_};
     live.options = options_.sources.live;
     live.stop = [this] { return Clock::now() > patienceEnds_; };
     sources::SourceOptions options;
@@ -82,6 +84,7 @@ class CSemanticRGBDSensor::Work {
 
   TemporaryIni ini_;
   pipeline::SlamOptions options_;
+  std::string cameraPlugin_;
   bool hasCompanion_;
   sources::SensorConfiguration camera_;
   mrpt::system::COutputLogger log_{"CSemanticRGBDSensor"};
@@ -95,11 +98,15 @@ CSemanticRGBDSensor::~CSemanticRGBDSensor() = default;
 
 void CSemanticRGBDSensor::loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& ini,
                                                     const std::string& section) {
-  work_ = std::make_unique<Work>(ini, section);
+  try {
+    work_ = std::make_unique<Work>(ini, section);
+  } catch (const core::InputError& error) {
+    trouble_ = error.what();  // MRPT would take the sentence apart and put a call stack under it; initialize() tells it
+  }
 }
 
 void CSemanticRGBDSensor::initialize() {
-  if (!work_) throw core::InputError("CSemanticRGBDSensor: load a configuration before initialising it");
+  if (!work_) throw core::InputError(trouble_);
   m_state = ssInitializing;
   work_->open();
 }

@@ -15,6 +15,7 @@ namespace wardslam::mrpt_plugin {
 ///     process_rate = 90
 ///     sensorLabel  = CAMERA
 ///     camera       = OPENNI2     ; section of the camera, with its driver and parameters
+///     camera_plugin = /full/path/of.so    ; library with the class of the camera, where it is not MRPT's own
 ///     filters      = FILTERS     ; section with options of WardSLAM (pipeline::readSlamOptions); none: the defaults
 ///     companion    = false       ; add a CObservationSemanticRGBD of the same time and label CAMERA_SEM
 ///
@@ -26,7 +27,7 @@ class CSemanticRGBDSensor : public mrpt::hwdrivers::CGenericSensor {
   CSemanticRGBDSensor();
   ~CSemanticRGBDSensor() override;
 
-  /// Returns when images come. Throws core::InputError.
+  /// Returns when images come. Throws core::InputError, also for what was wrong in the configuration.
   void initialize() override;
 
   /// At most one scan; none when the camera is away. Throws core::InputError when it is lost for good.
@@ -38,6 +39,8 @@ class CSemanticRGBDSensor : public mrpt::hwdrivers::CGenericSensor {
  private:
   class Work;
   std::unique_ptr<Work> work_;
+  std::string trouble_ =
+      "CSemanticRGBDSensor: load a configuration before initialising it";  ///< While there is no work_.
 };
 
 }  // namespace wardslam::mrpt_plugin

@@ -30,27 +30,29 @@ std::string joined(const Names& names) {
   return text;
 }
 
-Names sensorSections(const CConfigFileBase& ini) {
+Names sectionsOf(const CConfigFileBase& ini) {
   Names sections;
   ini.getAllSections(sections);
-  const auto isNoSensor = [&](const std::string& section) {
-    return section.empty() || section == kGlobalSection || ini.read_bool(section, "rawlog-grabber-ignore", false);
-  };
-  sections.erase(std::remove_if(sections.begin(), sections.end(), isNoSensor), sections.end());
+  sections.erase(std::remove(sections.begin(), sections.end(), kGlobalSection), sections.end());
   return sections;
 }
 
-std::string chooseSection(const CConfigFileBase& ini, const std::filesystem::path& file, const std::string& wanted) {
-  if (!wanted.empty() && ini.sectionExists(wanted)) return wanted;
-  const Names sections = sensorSections(ini);
+/// Also one that rawlog-grabber ignores, as the camera of another sensor is.
+std::string namedSection(const CConfigFileBase& ini, const std::filesystem::path& file, const std::string& name) {
+  if (ini.sectionExists(name)) return name;
+  throw core::InputError(file.string() + ": has no sensor [" + name + "]; did you mean [" +
+                         core::nearestName(name, sectionsOf(ini)) + "]?");
+}
+
+std::string onlySection(const CConfigFileBase& ini, const std::filesystem::path& file) {
+  Names sections = sectionsOf(ini);
+  const auto isNoSensor = [&](const std::string& section) {
+    return section.empty() || ini.read_bool(section, "rawlog-grabber-ignore", false);
+  };
+  sections.erase(std::remove_if(sections.begin(), sections.end(), isNoSensor), sections.end());
   if (sections.empty()) throw core::InputError(file.string() + ": holds no section for a sensor, like [OPENNI2]");
-  if (wanted.empty()) {
-    if (sections.size() == 1) return sections.front();
-    throw core::InputError(file.string() + ": holds several sensors (" + joined(sections) +
-                           "); say which with --sensor");
-  }
-  throw core::InputError(file.string() + ": has no sensor [" + wanted + "]; did you mean [" +
-                         core::nearestName(wanted, sections) + "]?");
+  if (sections.size() == 1) return sections.front();
+  throw core::InputError(file.string() + ": holds several sensors (" + joined(sections) + "); say which with --sensor");
 }
 
 void requireKey(const CConfigFileBase& ini, const SensorConfiguration& sensor, const std::string& key) {
@@ -73,7 +75,7 @@ SensorConfiguration readSensorConfiguration(const CConfigFileBase& ini, const st
                                             const std::string& section) {
   SensorConfiguration sensor;
   sensor.file = file;
-  sensor.section = chooseSection(ini, file, section);
+  sensor.section = section.empty() ? onlySection(ini, file) : namedSection(ini, file, section);
   sensor.place = file.string() + ": [" + sensor.section + "]";
   requireKey(ini, sensor, "driver");
   sensor.driver = ini.read_string(sensor.section, "driver", "");

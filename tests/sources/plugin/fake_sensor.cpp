@@ -31,7 +31,7 @@ class FakeSensor : public mrpt::hwdrivers::CGenericSensor {
     if (isTrouble && trouble_ == "throws") throw std::runtime_error("the plug was pulled");
     if (isTrouble && trouble_ == "crashes") std::raise(SIGSEGV);
     const bool resizes = isTrouble && trouble_ == "resizes";
-    auto scan = makeScan(number_, resizes ? 64 : 32, resizes ? 48 : 24);
+    auto scan = makeScan(number_, (resizes ? 2 : 1) * width_px_, (resizes ? 2 : 1) * height_px_);
     scan->timestamp = mrpt::Clock::now();
     const bool isOnce = number_ == goodFrames_ + 1;
     if (isTrouble && (trouble_ == "depth_only" || (isOnce && trouble_ == "depth_only_once"))) {
@@ -49,6 +49,8 @@ class FakeSensor : public mrpt::hwdrivers::CGenericSensor {
  protected:
   void loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& ini, const std::string& section) override {
     trouble_ = ini.read_string(section, "trouble", "none");
+    width_px_ = ini.read_int(section, "width", width_px_);
+    height_px_ = ini.read_int(section, "height", height_px_);
     goodFrames_ = ini.read_int(section, "good_frames", 5);
     onlyWhile_ = ini.read_string(section, "only_while", "");
   }
@@ -56,6 +58,8 @@ class FakeSensor : public mrpt::hwdrivers::CGenericSensor {
  private:
   std::string trouble_;
   std::string onlyWhile_;
+  int width_px_ = 32;
+  int height_px_ = 24;
   int goodFrames_ = 0;
   int number_ = 0;
 };
