@@ -17,8 +17,8 @@ namespace wardslam::pipeline {
 ///     features.key_points = 1500        ; any option by its path in the YAML
 ///     zones.file = zones.yaml
 ///
-/// Filters are configured in the YAML file; `rawlog-grabber-ignore` is passed over. A relative `config` lies beside the `.ini` file. Throws core::InputError
-/// naming section and key.
+/// Filters are configured in the YAML file; `rawlog-grabber-ignore` is passed over. A relative `config` lies beside the
+/// `.ini` file. Throws core::InputError naming section and key.
 [[nodiscard]] SlamOptions readSlamOptions(const mrpt::config::CConfigFileBase& ini, const std::string& section);
 
 }  // namespace wardslam::pipeline
