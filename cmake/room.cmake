@@ -28,11 +28,13 @@ function(wardslam_room room)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# wardslam_program(<name> SOURCES <files...> LIBRARIES <targets...>): an installed executable.
+# wardslam_program(<name> [MANUAL <page>] SOURCES <files...> LIBRARIES <targets...>): an installed executable. It must
+# parse its command line with apps/support/command_line.h, which prints its manual page, or bring a MANUAL.
 function(wardslam_program program)
-  cmake_parse_arguments(PROGRAM "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(PROGRAM "" "MANUAL" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${program} ${PROGRAM_SOURCES})
   target_link_libraries(${program} PRIVATE ${PROGRAM_LIBRARIES} wardslam_compile_options)
   set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   install(TARGETS ${program})
+  wardslam_manual(${program} ${PROGRAM_MANUAL})
 endfunction()

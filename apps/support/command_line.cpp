@@ -1,9 +1,11 @@
 #include "support/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <string>
 #include <vector>
 
+#include "support/manual.h"
 #include "support/program.h"
 #include "wardslam/core/nearest_name.h"
 
@@ -52,9 +54,21 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   return error.what() + help;
 }
 
+int generate(const CLI::App& app, const std::string& what) {
+  if (what == "man") {
+    std::cout << manualPage(app);
+  } else if (what == "bash-completion") {
+    std::cout << bashCompletion(app);
+  } else {
+    throw UsageError("--generate: '" + what + "' is neither man nor bash-completion");
+  }
+  return kSuccess;
+}
+
 }  // namespace
 
 std::optional<int> parseCommandLine(CLI::App& app, int argc, char** argv) {
+  if (argc == 3 && std::string(argv[1]) == "--generate") return generate(app, argv[2]);
   try {
     app.parse(argc, argv);
     return std::nullopt;
