@@ -33,6 +33,7 @@ usage: ./bootstrap.sh VERB
   build   deps, then compile everything into build/release/
   demo    build, then map a synthetic ward with and without the filter; results in demo/
   test    build, then run all tests
+  deb     build, then make the Debian package build/release/wardslam_*.deb
   tidy    build, then clang-tidy over the whole tree (takes several minutes)
 TEXT
 }
@@ -79,6 +80,12 @@ run_tests() {
   build
   say "Running all tests"
   ctest --preset "$PRESET" --parallel "$(nproc)"
+}
+
+deb() {
+  build
+  say "Making the Debian package"
+  cpack --config "build/${PRESET}/CPackConfig.cmake" -B "build/${PRESET}"
 }
 
 tidy() {
@@ -128,7 +135,7 @@ TEXT
 }
 
 case "${1-}" in
-  deps | build | demo | tidy) (($# == 1)) || { usage >&2; exit 2; }; "$1" ;;
+  deps | build | demo | deb | tidy) (($# == 1)) || { usage >&2; exit 2; }; "$1" ;;
   test) run_tests ;;
   -h | --help | help) usage ;;
   *) usage >&2; exit 2 ;;
