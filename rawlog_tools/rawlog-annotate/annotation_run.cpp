@@ -9,9 +9,9 @@
 #include <iterator>
 
 #include "output_files.h"
-#include "scan_annotator.h"
 #include "support/progress.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/mrpt_plugin/scan_annotator.h"
 #include "wardslam/sources/input_damage.h"
 #include "wardslam/sources/rawlog_reader.h"
 
@@ -29,7 +29,7 @@ constexpr std::chrono::seconds kBetweenCheckpoints{1};
 constexpr std::size_t kWarmUp = 30;  // scans, about a second: what filters remember of motion
 
 /// What must be the same for one run to go on where another was interrupted.
-std::string describe(const AnnotationJob& job, const ScanAnnotator& annotator) {
+std::string describe(const AnnotationJob& job, const mrpt_plugin::ScanAnnotator& annotator) {
   return "version " WARDSLAM_VERSION "\ninput " + fs::absolute(job.input).string() + "\nsize " +
          std::to_string(fs::file_size(job.input)) + "\nchanged " +
          std::to_string(fs::last_write_time(job.input).time_since_epoch().count()) + "\nsensor " + job.sensorLabel +
@@ -136,7 +136,7 @@ class Run {
   }
 
   fs::path input_;
-  ScanAnnotator annotator_;
+  mrpt_plugin::ScanAnnotator annotator_;
   sources::RawlogReader reader_;
   OutputFiles files_;
   bool embed_;

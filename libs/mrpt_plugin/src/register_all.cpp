@@ -4,12 +4,14 @@
 
 #include "semantic_rgbd_sensor.h"
 #include "wardslam/filters/register_filters.h"
+#include "wardslam/mrpt_plugin/observation_annotator.h"
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
 
 namespace wardslam::mrpt_plugin {
 
 void registerAll() {
   mrpt::rtti::registerClass(CLASS_ID(CObservationSemanticRGBD));
+  mrpt::rtti::registerClass(CLASS_ID(ObservationAnnotator));
   CSemanticRGBDSensor::doRegister();
   filters::registerAllFilters();
 }

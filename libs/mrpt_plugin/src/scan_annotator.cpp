@@ -1,4 +1,4 @@
-#include "scan_annotator.h"
+#include "wardslam/mrpt_plugin/scan_annotator.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
@@ -9,20 +9,19 @@
 #include "wardslam/sources/external_images.h"
 #include "wardslam/sources/input_damage.h"
 
-namespace wardslam::rawlog_annotate {
+namespace wardslam::mrpt_plugin {
 
 ScanAnnotator::ScanAnnotator(const pipeline::SlamOptions& options, std::string sensorLabel)
     : frontEnd_(options), sensorLabel_(std::move(sensorLabel)) {}
 
-mrpt_plugin::CObservationSemanticRGBD::Ptr ScanAnnotator::annotate(
-    const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& scan) {
+CObservationSemanticRGBD::Ptr ScanAnnotator::annotate(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& scan) {
   if (!isOurs(*scan)) return nullptr;
   try {
     sources::loadImages(*scan);
     const auto [frame, odometry] = frontEnd_.process(scan);
     core::accumulate(events_, frame.events);
     ++annotated_;
-    return mrpt_plugin::toObservation(frame, frontEnd_.labelSpace());
+    return toObservation(frame, frontEnd_.labelSpace());
   } catch (const sources::InputDamage& damage) {
     count(damage.event(), damage.what());
   } catch (const core::FrameError& error) {
@@ -42,4 +41,4 @@ void ScanAnnotator::count(const std::string& event, const std::string& trouble) 
   if (firstTrouble_.empty()) firstTrouble_ = trouble;
 }
 
-}  // namespace wardslam::rawlog_annotate
+}  // namespace wardslam::mrpt_plugin

@@ -11,7 +11,7 @@ namespace mrpt::obs {
 class CObservation3DRangeScan;
 }
 
-namespace wardslam::rawlog_annotate {
+namespace wardslam::mrpt_plugin {
 
 /// Filters the scans of one RGB-D sensor.
 class ScanAnnotator {
@@ -21,8 +21,7 @@ class ScanAnnotator {
 
   /// Annotates the scan and tells what was found. Null, with the scan as it was: it is of another sensor, has no two
   /// images, or cannot be used, which is counted. Throws core::InputError for what no later scan mends.
-  [[nodiscard]] mrpt_plugin::CObservationSemanticRGBD::Ptr annotate(
-      const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& scan);
+  [[nodiscard]] CObservationSemanticRGBD::Ptr annotate(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& scan);
 
   /// After the last scan. Throws core::InputError when no mask belonged to any.
   void requireSoundSetup() { frontEnd_.requireSoundSetup(); }
@@ -43,4 +42,4 @@ class ScanAnnotator {
   std::string firstTrouble_;
 };
 
-}  // namespace wardslam::rawlog_annotate
+}  // namespace wardslam::mrpt_plugin
