@@ -166,7 +166,7 @@ LiveSensorSource::Scan LiveSensorSource::waitForScan() {
       const std::lock_guard lock(mutex_);
       throw core::InputError(failure_);
     }
-    const Scan scan = unpackObservation(*frame);
+    Scan scan = unpackObservation(*frame);
     if (scan && camera_) replaceCamera(*scan, camera_->color);
     if (const auto reason = scan ? whyUnusable(*scan) : "cannot be read") {
       endure(*reason);

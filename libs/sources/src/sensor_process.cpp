@@ -42,6 +42,7 @@ bool isVerbose() {
 /// In a process group of its own, so that Ctrl-C reaches only us.
 int spawn(pid_t& pid, std::vector<std::string> command, const Pipe& in, const Pipe& out) {
   std::vector<char*> argv;
+  argv.reserve(command.size() + 1);
   for (std::string& word : command) argv.push_back(word.data());
   argv.push_back(nullptr);
 
