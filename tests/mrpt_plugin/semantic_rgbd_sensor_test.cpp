@@ -95,6 +95,7 @@ TEST_F(SemanticSensor, SaysWhatIsWrong) {
   EXPECT_EQ(complaint(load("")), mustName);
   EXPECT_EQ(complaint(load("camera = CAMERA")), mustName);
   EXPECT_EQ(complaint(load("camera = FAK")), "the configuration: has no sensor [FAK]; did you mean [FAKE]?");
+  EXPECT_THAT(complaint(load("camera = FAKE\nmode = propagate")), HasSubstr("but nothing segments"));
   EXPECT_EQ(complaint(load("camera = FAKE", "only_while = /no/such/file\n")),
             "the configuration: [FAKE]: no fake camera found");
   EXPECT_THAT(complaint(CGenericSensor::createSensorPtr("CSemanticRGBDSensor")), HasSubstr("load a configuration"));

@@ -25,12 +25,12 @@ class LiveSensor : public ::testing::Test {
   /// Of 32x24 pixels. `keys`: lines for its section.
   [[nodiscard]] sources::LiveSensor camera(const std::string& keys = "", const std::string& driver = "FakeSensor") {
     const auto ini = folder.write("camera.ini", "[global]\nrawlog_prefix = x\n[CAMERA]\ndriver = " + driver +
-                                                    "\nprocess_rate = 200\nsensorLabel = FAKE\n" + keys);
+                                                    "\nprocess_rate = 50\nsensorLabel = FAKE\n" + keys);
     sources::LiveSensor live;
     live.sensor = readSensorConfiguration(ini);
     live.plugins = {WARDSLAM_FAKE_SENSOR};
     live.options.open_timeout_s = 5.0;
-    live.options.silence_timeout_s = 0.3;
+    live.options.silence_timeout_s = 0.5;
     live.options.first_pause_s = 0.05;
     live.options.longest_pause_s = 0.1;
     live.options.max_waiting_frames = 3;
@@ -77,10 +77,10 @@ TEST_F(LiveSensor, PassesOverOtherObservationsAndWhatDriversPrint) {
 TEST_F(LiveSensor, SkipsTheOldestWhenNobodyKeepsUp) {
   LiveSensorSource source(camera(), listening());
   const int before = numberOf(*source.next());
-  while (source.counts().received < 60) std::this_thread::sleep_for(5ms);
-  EXPECT_GT(numberOf(*source.next()), 60 - 4);  // not `before` + 1: at most three wait
+  while (source.counts().received < 30) std::this_thread::sleep_for(5ms);
+  EXPECT_GT(numberOf(*source.next()), 30 - 4);  // not `before` + 1: at most three wait
   const auto counts = source.counts();
-  EXPECT_GT(counts.skipped, 50U);
+  EXPECT_GT(counts.skipped, 20U);
   EXPECT_EQ(before, 1);
   EXPECT_LE(counts.received - counts.skipped - 2, 3U);
 }
@@ -134,7 +134,7 @@ TEST_P(LiveSensorLost, IsOpenedAgain) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, LiveSensorLost,
-    ::testing::Values(std::pair("hangs", "no image for 0.3 s; the camera is unplugged or its driver hangs"),
+    ::testing::Values(std::pair("hangs", "no image for 0.5 s; the camera is unplugged or its driver hangs"),
                       std::pair("throws", "the plug was pulled"),
                       std::pair("crashes", "the driver ended with signal 11 (Segmentation fault)")),
     [](const auto& kind) { return std::string(kind.param.first); });
@@ -163,7 +163,7 @@ TEST_F(LiveSensor, LeavesOutASingleBadObservation) {
 
 TEST_F(LiveSensor, SaysWhenItSeesDepthOnly) {
   EXPECT_THAT([&] { LiveSensorSource(camera("trouble = depth_only\ngood_frames = 0"), listening()); },
-              ThrowsMessage<core::InputError>(place() + "every observation for 0.3 s has no intensity image"));
+              ThrowsMessage<core::InputError>(place() + "every observation for 0.5 s has no intensity image"));
 }
 
 TEST_F(LiveSensor, SaysWhenImagesChangeTheirSize) {
@@ -174,7 +174,7 @@ TEST_F(LiveSensor, SaysWhenImagesChangeTheirSize) {
         }
       },
       ThrowsMessage<core::InputError>(
-          place() + "every observation for 0.3 s has images of 64x48 pixels, but the run began with 32x24"));
+          place() + "every observation for 0.5 s has images of 64x48 pixels, but the run began with 32x24"));
 }
 
 TEST_F(LiveSensor, EndsWhenAskedTo) {

@@ -25,11 +25,21 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 200ms;
 
 /// Without anything that segments, what moves is told by geometry alone.
-pipeline::SlamOptions readOptions(const mrpt::config::CConfigFileBase& ini, const std::string& section) {
+pipeline::SlamOptions readFilterOptions(const mrpt::config::CConfigFileBase& ini, const std::string& section) {
   auto options = section.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(ini, section);
   const bool isSegmented = options.segmentation.type != segmentation::SegmentationOptions::Type::None;
   const bool hasOwnFilters = !section.empty() && ini.keyExists(section, "config");
   if (!isSegmented && !hasOwnFilters) options.keepOnlyFilters("wardslam::filters::GeometricMotionFilter");
+  return options;
+}
+
+pipeline::SlamOptions readOptions(const mrpt::config::CConfigFileBase& ini, const std::string& section) {
+  auto options = readFilterOptions(ini, ini.read_string(section, "filters", ""));
+  const std::string mode = ini.read_string(section, "mode", "");
+  if (!mode.empty() && !options.setFilterParameter("wardslam::filters::SemanticDynamicFilter", "mode", mode)) {
+    throw core::InputError("[" + section + "]: 'mode' says how the SemanticDynamicFilter gets its masks, but nothing " +
+                           "segments: give a network in the section that 'filters' names");
+  }
   return options;
 }
 
@@ -40,7 +50,7 @@ class CSemanticRGBDSensor::Work {
  public:
   Work(const mrpt::config::CConfigFileBase& ini, const std::string& section)
       : ini_(ini),
-        options_(readOptions(ini, ini.read_string(section, "filters", ""))),
+        options_(readOptions(ini, section)),
         cameraPlugin_(ini.read_string(section, "camera_plugin", "")),
         hasCompanion_(ini.read_bool(section, "companion", false)) {
     const std::string camera = ini.read_string(section, "camera", "");

@@ -17,6 +17,7 @@ namespace wardslam::mrpt_plugin {
 ///     camera       = OPENNI2     ; section of the camera, with its driver and parameters
 ///     camera_plugin = /full/path/of.so    ; library with the class of the camera, where it is not MRPT's own
 ///     filters      = FILTERS     ; section with options of WardSLAM (pipeline::readSlamOptions); none: the defaults
+///     mode         = propagate   ; masks of a slow network are carried to newer images; else scans wait for them
 ///     companion    = false       ; add a CObservationSemanticRGBD of the same time and label CAMERA_SEM
 ///
 /// Both sections named have rawlog-grabber-ignore = true. Images come as fast as the filters work; others are skipped.
