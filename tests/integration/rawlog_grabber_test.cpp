@@ -28,20 +28,23 @@ class RawlogGrabber : public ::testing::Test {
     }
   }
 
-  /// Records for a few seconds with a configuration that comes with the program; the rawlog.
+  /// Records some scans with a configuration that comes with the program; the rawlog.
   [[nodiscard]] fs::path record(const std::string& configuration, const std::string& options = "") const {
     std::string ini = test::readText(fs::path(WARDSLAM_CONFIG_DIR) / "sensors" / configuration);
     ini =
         std::regex_replace(ini, std::regex("rawlog_prefix *= .*"), "rawlog_prefix = " + (folder.path() / "r").string());
     const auto file = folder.write("grabber.ini", ini);
-    // It ends at the first key, and also when its input ends.
-    const std::string command = "(sleep 3.5; echo q) | rawlog-grabber " + options + " " + file.string() + " > " +
-                                (folder.path() / "log").string();
-    EXPECT_EQ(std::system((command + " 2>&1").c_str()), 0) << test::readText(folder.path() / "log");
+    // It ends at the first key, and also when its input ends. 20 MB are about ten scans.
+    const std::string rawlogs = (folder.path() / "r*.rawlog").string();
+    const std::string untilEnough = "for i in $(seq 100); do sleep 0.2; [ $(stat -c %s " + rawlogs +
+                                    " 2> /dev/null || echo 0) -gt 20000000 ] && break; done; echo q";
+    const std::string log = (folder.path() / "log").string();
+    const std::string grab = "rawlog-grabber " + options + " " + file.string() + " > " + log + " 2>&1";
+    EXPECT_EQ(std::system(("(" + untilEnough + ") | " + grab).c_str()), 0) << test::readText(log);
     for (const auto& entry : fs::directory_iterator(folder.path())) {
       if (entry.path().extension() == ".rawlog") return entry.path();
     }
-    ADD_FAILURE() << test::readText(folder.path() / "log");
+    ADD_FAILURE() << test::readText(log);
     return {};
   }
 
@@ -53,7 +56,7 @@ TEST_F(RawlogGrabber, TakesTheConfigurationOfLiveRuns) {
   const auto source = sources::openSource(record("openni2.ini"), {});
   std::size_t scans = 0;
   for (; const auto scan = source->next(); ++scans) EXPECT_EQ(scan->sensorLabel, "OPENNI2");
-  EXPECT_GT(scans, 10U);
+  EXPECT_GT(scans, 5U);
   EXPECT_TRUE(source->damage().empty());
 }
 
@@ -65,7 +68,7 @@ TEST_F(RawlogGrabber, RecordsAnnotatedScansWithThePlugin) {
     EXPECT_EQ(core::annotationOf(*scan).size(), cv::Size(640, 480));
     EXPECT_TRUE(scan->hasConfidenceImage);
   }
-  EXPECT_GT(scans, 10U);
+  EXPECT_GT(scans, 5U);
   EXPECT_TRUE(source->damage().empty());
 }
 
