@@ -5,6 +5,7 @@
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfObjects.h>
+#include <mrpt/opengl/CText.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <cmath>
@@ -129,6 +130,22 @@ TEST(ObservationSemanticRgbd, ShowsDynamicPointsInRedWhereTheyAre) {
   EXPECT_NEAR(p.x, 1.0, 1e-5);
   EXPECT_NEAR(p.y, -(10.25 - 31.5) / 50.0, 1e-5);
   EXPECT_NEAR(p.z, 1.0 - (39.75 - 23.5) / 51.0, 1e-5);
+}
+
+TEST(ObservationSemanticRgbd, ShowsNamesOfThingsWithManyKeyPoints) {
+  auto o = handMadeObservation();
+  EXPECT_FALSE(o.getVisualization()->getByClass<mrpt::opengl::CText>());
+  while (o.features.size() < 20) {
+    o.features.keypoints.push_back(o.features.keypoints[2]);  // on the person, 1 m away
+    o.states.push_back(o.states[2]);
+  }
+  o.cameraPose = mrpt::poses::CPose3D();
+  const auto view = o.getVisualization();
+  const auto name = view->getByClass<mrpt::opengl::CText>();
+  ASSERT_TRUE(name);
+  EXPECT_EQ(name->getString(), "person");
+  EXPECT_NEAR(name->getPose().x, 1.0, 1e-5);
+  EXPECT_FALSE(view->getByClass<mrpt::opengl::CText>(1));  // the chair has one
 }
 
 TEST(ObservationSemanticRgbd, RefusesNewerVersionsByName) {

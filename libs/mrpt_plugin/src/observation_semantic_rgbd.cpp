@@ -1,7 +1,5 @@
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
 
-#include <mrpt/opengl/CPointCloudColoured.h>
-#include <mrpt/opengl/stock_objects.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 #include <stdexcept>
 
 #include "semantic_content.h"
-#include "wardslam/core/mrpt_compat.h"
+#include "semantic_view.h"
 #include "wardslam/features/semantic_descriptor.h"
 
 namespace wardslam::mrpt_plugin {
@@ -46,17 +44,6 @@ std::string readLabel(mrpt::serialization::CArchive& in) {
   if (size > kMostLabel_bytes) throw damaged("the sensor label has " + std::to_string(size) + " letters");
   const storage::Bytes bytes = readBytes(in, size);
   return {bytes.begin(), bytes.end()};
-}
-
-mrpt::img::TColor colorOf(KeypointState state) {
-  switch (state) {
-    case KeypointState::Dynamic:
-      return {230, 20, 20};
-    case KeypointState::Movable:
-      return {255, 150, 0};
-    default:
-      return {0, 150, 60};
-  }
 }
 
 }  // namespace
@@ -116,21 +103,6 @@ void CObservationSemanticRGBD::getDescriptionAsText(std::ostream& out) const {
   out << "Pose of the camera on the robot: " << cameraPose << "\n";
 }
 
-void CObservationSemanticRGBD::getVisualizationInto(mrpt::opengl::CSetOfObjects& view) const {
-  const Eigen::Isometry3d T_base_cam = core::fromMrpt(cameraPose) * core::T_sensor_cam();
-  auto points = mrpt::opengl::CPointCloudColoured::Create();
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const auto p_cam = pointInCamera(i);
-    if (!p_cam) continue;
-    const Eigen::Vector3f p = (T_base_cam * *p_cam).cast<float>();
-    const auto color = colorOf(states.at(i));
-    points->insertPoint({p.x(), p.y(), p.z(), color.R, color.G, color.B, 255});
-  }
-  points->setPointSize(5.0F);
-  auto corner = mrpt::opengl::stock_objects::CornerXYZSimple(0.2F, 2.0F);
-  corner->setPose(cameraPose);
-  view.insert(points);
-  view.insert(corner);
-}
+void CObservationSemanticRGBD::getVisualizationInto(mrpt::opengl::CSetOfObjects& view) const { addTo(view, *this); }
 
 }  // namespace wardslam::mrpt_plugin
