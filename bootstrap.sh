@@ -16,6 +16,7 @@ readonly PACKAGES=(
   libcurl4-openssl-dev libssl-dev # wardslam models
   libegl1 libegl-mesa0 libgl1-mesa-dri # rawlog-synth renders without a display
   libopenni2-dev # the virtual camera of the tests
+  mrpt-apps # rawlog-edit and rawlog-grabber, which the tests run
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
 )
 
