@@ -14,6 +14,7 @@
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/sources/rawlog_writer.h"
+#include "wardslam/storage/map_export.h"
 #include "wardslam/storage/tum_trajectory.h"
 
 namespace wardslam::synth {
@@ -198,10 +199,13 @@ void SequenceWriter::write(const SequenceFrame& frame) {
   writePng(folder / "dynamic" / name, frame.dynamic);
 }
 
-void SequenceWriter::finish(const std::vector<StaticObject>& objects) {
+void SequenceWriter::finish(const std::vector<StaticObject>& objects, const mapping::FloorPlan& floor) {
   const fs::path folder = partial(impl_->labelled);
   core::writeFileAtomically(folder / "classes.txt", classesText(impl_->labels));
   core::writeFileAtomically(folder / "objects.csv", objectsText(objects));
+  mapping::SemanticMap map;
+  map.floorPlan = floor;
+  storage::exportRosMap(map, folder / "floor.yaml");
   impl_->groundTruth.finish();
   giveName(folder / kGroundTruth, groundTruthFile(impl_->rawlog));
   std::error_code error;

@@ -11,6 +11,7 @@
 
 #include "scene.h"
 #include "wardslam/core/camera_model.h"
+#include "wardslam/mapping/floor_plan.h"
 
 namespace wardslam::synth {
 
@@ -42,7 +43,7 @@ struct StaticObject {
 ///   FILE.rawlog           CObservation3DRangeScan: colour and depth; or CObservationStereoImages; gzip
 ///   FILE.groundtruth.txt  TUM format, T_world_cam (optical)
 ///   FILE_labels/          masks/ (8-bit class ids), instances/ (16-bit), dynamic/ (255 = moving), each <stamp>.png;
-///                         classes.txt; objects.csv
+///                         classes.txt; objects.csv; floor.yaml and floor.pgm, the true floor plan for map_server
 /// All appears under ".partial" names first; finish() gives everything its name at once. Without it nothing is left.
 class SequenceWriter {
  public:
@@ -54,7 +55,7 @@ class SequenceWriter {
 
   /// Throws core::InputError when the disk does not take it.
   void write(const SequenceFrame& frame);
-  void finish(const std::vector<StaticObject>& objects);
+  void finish(const std::vector<StaticObject>& objects, const mapping::FloorPlan& floor);
 
  private:
   struct Impl;

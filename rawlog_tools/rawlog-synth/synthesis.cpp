@@ -7,6 +7,7 @@
 
 #include "camera_path.h"
 #include "floor_scene.h"
+#include "floor_truth.h"
 #include "renderer.h"
 #include "sequence_writer.h"
 #include "ward_scene.h"
@@ -140,7 +141,8 @@ std::size_t synthesise(const std::filesystem::path& rawlog, const SynthesisOptio
     if (!goOn(++done)) break;
   }
   recording.get();
-  writer.finish(staticObjects(setting.scene, static_cast<double>(done) / options.rate_hz));
+  const double seconds = static_cast<double>(done) / options.rate_hz;
+  writer.finish(staticObjects(setting.scene, seconds), trueFloor(setting.scene, seconds));
   return done;
 }
 

@@ -1,0 +1,41 @@
+#include "floor_truth.h"
+
+#include <gtest/gtest.h>
+
+namespace wardslam::synth {
+namespace {
+
+using mapping::FloorPlan;
+
+unsigned char cellAt(const FloorPlan& plan, double x_m, double y_m) {
+  const Eigen::Vector2d cell = (Eigen::Vector2d(x_m, y_m) - plan.origin_m) / plan.resolution_m;
+  return plan.cells.at<unsigned char>(static_cast<int>(cell.y()), static_cast<int>(cell.x()));
+}
+
+Thing boxAt(float x_m, float y_m, float z_m, const Eigen::Vector3f& size_m) {
+  return {{1, "box", 1, "box"}, {{Material::Plastic, box(size_m).transform(at(x_m, y_m, z_m))}}};
+}
+
+TEST(FloorTruth, IsOccupiedWhereSurfacesAreInTheWayOfARobot) {
+  Scene scene;
+  scene.things.push_back(boxAt(1.0F, 2.0F, 0.5F, {0.4F, 0.2F, 1.0F}));
+  const FloorPlan plan = trueFloor(scene, 0.0);
+  EXPECT_EQ(cellAt(plan, 0.81, 2.0), FloorPlan::kOccupied);
+  EXPECT_EQ(cellAt(plan, 1.0, 2.09), FloorPlan::kOccupied);
+  EXPECT_EQ(cellAt(plan, 0.77, 2.0), FloorPlan::kFree);
+  EXPECT_EQ(cellAt(plan, 1.0, 2.13), FloorPlan::kFree);
+}
+
+TEST(FloorTruth, LeavesOutWhatARobotDrivesOverOrUnder) {
+  Scene scene;
+  scene.things.push_back(boxAt(0.0F, 0.0F, 0.5F, {0.1F, 0.1F, 1.0F}));
+  scene.things.push_back(boxAt(2.0F, 0.0F, 0.02F, {1.0F, 1.0F, 0.04F}));  // a mat
+  scene.things.push_back(boxAt(2.0F, 3.0F, 2.0F, {1.0F, 1.0F, 0.2F}));    // a lamp
+  const FloorPlan plan = trueFloor(scene, 0.0);
+  EXPECT_LT(plan.origin_m.x() + plan.resolution_m * plan.cells.cols, 1.0);  // nothing there
+}
+
+TEST(FloorTruth, OfNothingIsEmpty) { EXPECT_TRUE(trueFloor({}, 0.0).cells.empty()); }
+
+}  // namespace
+}  // namespace wardslam::synth
