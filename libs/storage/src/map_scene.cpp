@@ -53,7 +53,7 @@ void addObject(Scene& scene, const mapping::MapObject& object, const core::Label
   scene.insert(box);
   Eigen::Vector3d top = object.centroid_m;
   top.z() = object.box_m.max().z();
-  addText(scene, labels.name(object.classId) + " " + std::to_string(object.id), top, color);
+  addText(scene, labels.name(object.classId) + " #" + std::to_string(object.id), top, color);
 }
 
 void addZone(Scene& scene, const mapping::Zone& zone) {

@@ -9,6 +9,7 @@
 
 #include "drawing.h"
 #include "wardslam/mapping/cloud_in_map.h"
+#include "wardslam/viewer/plan_raster.h"
 
 namespace wardslam::viewer {
 namespace {
@@ -22,50 +23,9 @@ const cv::Scalar kFreeFloor(255, 255, 255);
 const cv::Scalar kWall(120, 112, 104);
 const cv::Scalar kDarkInk(60, 52, 44);
 const cv::Scalar kWay(200, 80, 20);
-constexpr double kLongerSide_px = 1500.0;
-constexpr double kMaxScale_px_per_m = 160.0;
 constexpr double kZoneOpacity = 0.14;
 constexpr double kObjectOpacity = 0.30;
 constexpr float kCeiling_m = 2.2F;  // what hangs higher would cover what stands below
-
-/// From map coordinates to the pixels of a picture whose rows go down as y goes up.
-class Raster {
- public:
-  explicit Raster(const Eigen::AlignedBox2d& extent) : extent_(extent) {
-    scale_px_per_m_ = std::min(kMaxScale_px_per_m, kLongerSide_px / std::max(1.0, extent.sizes().maxCoeff()));
-  }
-
-  [[nodiscard]] cv::Size size() const {
-    return {std::max(1, toPixels(extent_.sizes().x())), std::max(1, toPixels(extent_.sizes().y()))};
-  }
-  [[nodiscard]] cv::Point at(const Eigen::Vector2d& p_map_m) const {
-    return {toPixels(p_map_m.x() - extent_.min().x()), toPixels(extent_.max().y() - p_map_m.y())};
-  }
-  [[nodiscard]] int toPixels(double length_m) const { return cvRound(length_m * scale_px_per_m_); }
-
- private:
-  Eigen::AlignedBox2d extent_;
-  double scale_px_per_m_ = 1.0;
-};
-
-Eigen::AlignedBox2d extentOf(const mapping::SemanticMap& map) {
-  Eigen::AlignedBox2d extent;
-  const auto& plan = map.floorPlan;
-  if (!plan.cells.empty()) {
-    extent.extend(plan.origin_m);
-    extent.extend(plan.origin_m + plan.resolution_m * Eigen::Vector2d(plan.cells.cols, plan.cells.rows));
-  }
-  for (const auto& [id, keyframe] : map.keyframes) extent.extend(keyframe.T_map_cam.translation().head<2>());
-  for (const auto& [id, object] : map.objects) {
-    extent.extend(object.box_m.min().head<2>());
-    extent.extend(object.box_m.max().head<2>());
-  }
-  if (extent.isEmpty()) extent.extend(Eigen::Vector2d::Zero());
-  constexpr double kMargin_m = 0.3;
-  extent.extend(extent.min() - Eigen::Vector2d::Constant(kMargin_m));
-  extent.extend(extent.max() + Eigen::Vector2d::Constant(kMargin_m));
-  return extent;
-}
 
 /// Corners of the box's outline on the floor, in order.
 std::vector<Eigen::Vector2d> footprint(const mapping::OrientedBox& box) {
@@ -80,7 +40,7 @@ std::vector<Eigen::Vector2d> footprint(const mapping::OrientedBox& box) {
 class PlanPainter {
  public:
   explicit PlanPainter(const mapping::SemanticMap& map)
-      : map_(map), raster_(extentOf(map)), picture_(raster_.size(), CV_8UC3, kUnknownFloor) {}
+      : map_(map), raster_(map), picture_(raster_.size(), CV_8UC3, kUnknownFloor) {}
 
   [[nodiscard]] cv::Mat paint() {
     paintFloor();
@@ -104,7 +64,7 @@ class PlanPainter {
   [[nodiscard]] std::vector<cv::Point> outline(const std::vector<Eigen::Vector2d>& corners_m) const;
 
   const mapping::SemanticMap& map_;
-  const Raster raster_;
+  const PlanRaster raster_;
   cv::Mat picture_;
 };
 
@@ -178,7 +138,7 @@ void PlanPainter::paintObject(const MapObject& object) {
 void PlanPainter::nameObject(const MapObject& object) {
   const std::string& name = map_.labels.name(object.classId);
   std::string text =
-      (name.empty() ? "class " + std::to_string(object.classId) : name) + " " + std::to_string(object.id);
+      (name.empty() ? "class " + std::to_string(object.classId) : name) + " #" + std::to_string(object.id);
   if (object.state == ObjectState::Gone) text += " (gone)";
   if (object.state == ObjectState::Moved) text += " (moved)";
   const cv::Scalar color(object.color_rgb[2], object.color_rgb[1], object.color_rgb[0]);

@@ -1,0 +1,105 @@
+#include "walker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "random_numbers.h"
+#include "wardslam/core/errors.h"
+#include "wardslam/navigation/route.h"
+
+namespace wardslam::nav_demo {
+namespace {
+
+constexpr double kLongestRest_s = 2.0;
+constexpr double kShortestWay_m = 1.5;
+constexpr int kTries = 200;
+
+Eigen::Vector2d anywhere(const mapping::FloorPlan& plan, std::mt19937& random) {
+  return plan.origin_m + plan.resolution_m * Eigen::Vector2d(uniform(random, 0.0, plan.cells.cols),
+                                                             uniform(random, 0.0, plan.cells.rows));
+}
+
+}  // namespace
+
+Eigen::Vector2d placeAwayFrom(const WalkingGround& ground, const Eigen::Vector2d& away_m, double clear_m,
+                              std::mt19937& random) {
+  for (int i = 0; i < kTries; ++i) {
+    const Eigen::Vector2d p = anywhere(ground.floor->plan(), random);
+    if (!ground.floor->nearestFree(p, 0.0) || (p - away_m).norm() < clear_m) continue;
+    if (navigation::planRoute(*ground.floor, p, away_m)) return p;  // not outside of the building
+  }
+  throw core::InputError("there is no place for a person in the room; ask for fewer (--people)");
+}
+
+Walker::Walker(const WalkingGround& ground, const WalkerHabits& habits, const Eigen::Vector2d& start_m,
+               std::uint32_t seed)
+    : ground_(ground), habits_(habits), p_m_(start_m), random_(seed) {
+  pace_mps_ = uniform(random_, habits.slowest_mps, habits.fastest_mps);
+}
+
+void Walker::choosePlace(const mapping::DrivableFloor& floor) {
+  way_m_.clear();
+  wasAttracted_ = !wasAttracted_ && !ground_.attractions_m.empty();
+  for (int i = 0; i < kTries && way_m_.empty(); ++i) {
+    const Eigen::Vector2d place = wasAttracted_
+                                      ? ground_.attractions_m[static_cast<std::size_t>(uniform(
+                                            random_, 0.0, static_cast<double>(ground_.attractions_m.size()) - 1e-9))]
+                                      : anywhere(ground_.floor->plan(), random_);
+    if ((place - p_m_).norm() < kShortestWay_m) continue;
+    if (auto way = navigation::planRoute(floor, p_m_, place, 0.2)) way_m_ = std::move(*way);
+  }
+  std::reverse(way_m_.begin(), way_m_.end());
+}
+
+/// The ground without where those stand who are in the way.
+mapping::DrivableFloor Walker::floorAround(const std::vector<Disc>& others) const {
+  const auto& all = ground_.floor->plan();
+  mapping::FloorPlan plan{all.cells.clone(), all.resolution_m, all.origin_m};
+  for (const Disc& other : others) {
+    const Eigen::Vector2d middle = (other.p_m - plan.origin_m) / plan.resolution_m;
+    const double radius_m = other.radius_m + habits_.radius_m + habits_.stopsAt_m / 2;
+    cv::circle(plan.cells, {static_cast<int>(middle.x()), static_cast<int>(middle.y())},
+               static_cast<int>(std::lround(radius_m / plan.resolution_m)), cv::Scalar(mapping::FloorPlan::kOccupied),
+               cv::FILLED);
+  }
+  return {plan, {0.0, {}, false}};
+}
+
+double Walker::wantedSpeed_mps(const std::vector<Disc>& others) const {
+  double gap_m = std::numeric_limits<double>::infinity();
+  for (const Disc& other : others) {
+    const Eigen::Vector2d to = other.p_m - p_m_;
+    const double along_m = to.dot(heading_);
+    const double aside_m = (to - along_m * heading_).norm();
+    const double touching_m = other.radius_m + habits_.radius_m;
+    if (along_m > 0.0 && aside_m < touching_m + habits_.shoulder_m) gap_m = std::min(gap_m, to.norm() - touching_m);
+  }
+  return pace_mps_ * std::clamp((gap_m - habits_.stopsAt_m) / (habits_.slowsAt_m - habits_.stopsAt_m), 0.0, 1.0);
+}
+
+void Walker::step(double dt_s, const std::vector<Disc>& others) {
+  rests_s_ -= dt_s;
+  if (rests_s_ > 0.0) return;
+  if (waited_s_ > habits_.patience_s) {
+    choosePlace(floorAround(others));
+    waited_s_ = 0.0;
+  }
+  if (way_m_.empty()) choosePlace(*ground_.floor);
+  if (way_m_.empty()) return;
+  const Eigen::Vector2d ahead = way_m_.back() - p_m_;
+  if (ahead.norm() > 1e-6) heading_ = ahead.normalized();
+  const double wanted_mps = wantedSpeed_mps(others);
+  const double most_mps = habits_.acceleration_mps2 * dt_s;
+  speed_mps_ += std::clamp(wanted_mps - speed_mps_, -most_mps, most_mps);
+  waited_s_ = speed_mps_ < 0.1 ? waited_s_ + dt_s : 0.0;
+  p_m_ += std::min(speed_mps_ * dt_s, ahead.norm()) * heading_;
+  if ((way_m_.back() - p_m_).norm() > 1e-3) return;
+  way_m_.pop_back();
+  if (!way_m_.empty()) return;
+  rests_s_ = uniform(random_, 0.0, kLongestRest_s);
+  speed_mps_ = 0.0;
+}
+
+}  // namespace wardslam::nav_demo
