@@ -1,6 +1,7 @@
 #include "mission.h"
 
 #include <algorithm>
+#include <opencv2/core.hpp>
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
@@ -70,6 +71,8 @@ Mission planMission(const mapping::SemanticMap& map, const Order& order, const R
   mission.className = map.labels.name(mission.object->classId);
   mission.forbidden = zonesNamed(order.forbidden, map);
   mission.closedPlan = mapping::closeZones(map.floorPlan, mission.forbidden);
+  mission.closedPlan.cells.setTo(mapping::FloorPlan::kOccupied,
+                                 mission.closedPlan.cells == mapping::FloorPlan::kUnknown);
   mission.rules = {robot.radius_m + robot.margin_m, mission.forbidden, false};
   mission.T_map_start = startOf(order, map);
 

@@ -25,7 +25,8 @@ struct Mission {
   std::string name;       ///< Of the target, "bed 2".
   std::string className;  ///< "bed"
   const mapping::MapObject* object = nullptr;
-  mapping::FloorPlan closedPlan;  ///< The map's, with the forbidden zones occupied.
+  mapping::FloorPlan
+      closedPlan;  ///< The map's, occupied where the robot must not go: in zones, and where nobody has been.
   std::vector<mapping::Zone> forbidden;
   mapping::DrivingRules rules;
   Eigen::Isometry2d T_map_start = Eigen::Isometry2d::Identity();

@@ -134,10 +134,12 @@ cv::Mat drawRun(const mapping::SemanticMap& map, const Mission& mission, const S
   painter.people(run);
   painter.robot(run);
   painter.spot(run);
-  return withBanner(painter.picture(),
-                    {sentenceOf(run, mission),
-                     "Orange: the robot, its place every 3 s (numbers: seconds); thin lines with circles: people; "
-                     "grey dots: the way planned; cross: where it is to stop; blue: the camera when it made the map."});
+  return withBanner(
+      painter.picture(),
+      {sentenceOf(run, mission),
+       "Orange: the robot, every 3 s (numbers: seconds); circles on thin lines: people; grey dots: the way planned; "
+       "cross: where it is to stop;",
+       "blue: the camera when it made the map; hatched: the robot may not enter."});
 }
 
 }  // namespace wardslam::nav_demo

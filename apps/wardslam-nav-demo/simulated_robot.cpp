@@ -20,6 +20,12 @@ Eigen::Isometry2d movedBy(double forward_mps, double turn_radps, double t_s) {
          Eigen::Rotation2Dd(angle);
 }
 
+/// The speed v from which it stops within a way: way = v reaction + v^2 / (2 braking).
+double stoppableSpeed_mps(double way_m, const RobotOptions& options) {
+  const double lost_mps = options.braking_mps2 * (options.lag_s + options.scanPeriod_s);
+  return std::sqrt(lost_mps * lost_mps + 2.0 * options.braking_mps2 * way_m) - lost_mps;
+}
+
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(const RobotOptions& options, const Eigen::Isometry2d& T_world_robot, std::uint32_t seed)
@@ -55,7 +61,7 @@ double SimulatedRobot::safeShare(double forward_mps, double turn_radps) const {
       before_m = off_m;
       if (off_m > near_m) continue;
       const double way_m = std::abs(forward_mps) * (t_s - kStep_s);
-      share = std::min(share, std::sqrt(2.0 * options_.braking_mps2 * way_m) / std::abs(forward_mps));
+      share = std::min(share, stoppableSpeed_mps(way_m, options_) / std::abs(forward_mps));
       break;
     }
   }

@@ -16,6 +16,7 @@ struct RobotOptions {
   double braking_mps2 = 0.6;
   double keepsOff_m = 0.05;  ///< It stops so far from what the scanner sees in its way.
   double lag_s = 0.15;       ///< Time constant of the wheels.
+  double scanPeriod_s = 0.1;
   double fixSigma_m = 0.01;  ///< Localisation: noise of every fix, on top of the map's own error.
   double fixSigma_rad = 0.005;
 };

@@ -14,7 +14,6 @@ namespace wardslam::nav_demo {
 namespace {
 
 constexpr double kStep_s = 0.02;
-constexpr int kStepsPerDecision = 5;
 constexpr double kFirst_s = 1.7e9;  ///< UNIX time; any will do.
 
 /// MRPT's navigators look at the clock here and there.
@@ -111,11 +110,12 @@ RunRecord simulate(const Mission& mission, const Truth& truth, const SimulationO
 
   RunRecord record;
   record.seed = seed;
+  const int stepsPerDecision = static_cast<int>(std::lround(options.robot.scanPeriod_s / kStep_s));
   const auto steps = static_cast<int>(std::lround(options.timeLimit_s / kStep_s));
   for (int i = 0; i <= steps && !delivery.isOver(); ++i) {
     const double t_s = i * kStep_s;
     clock.show(t_s);
-    if (i % kStepsPerDecision == 0) {
+    if (i % stepsPerDecision == 0) {
       interface.update(kFirst_s + t_s, scan(world, people.discs(), robot.T_world_robot(), options.scanner));
       delivery.step(t_s);
       record.moments.push_back(momentOf(t_s, T_map_world, robot, people.discs(), delivery.phase()));

@@ -67,14 +67,24 @@ mapping::DrivableFloor Walker::floorAround(const std::vector<Disc>& others) cons
   return {plan, {0.0, {}, false}};
 }
 
+/// Whether the next steps lead towards it and too near by it.
+bool Walker::isInTheWay(const Disc& other) const {
+  const double now_m = (other.p_m - p_m_).norm();
+  const double least_m = std::min(now_m, other.radius_m + habits_.radius_m + habits_.shoulder_m);
+  Eigen::Vector2d last = p_m_;
+  double along_m = 0.0;
+  for (auto point = way_m_.rbegin(); point != way_m_.rend() && along_m < habits_.slowsAt_m; ++point) {
+    along_m += (*point - last).norm();
+    last = *point;
+    if ((other.p_m - *point).norm() < least_m - 1e-3) return true;
+  }
+  return false;
+}
+
 double Walker::wantedSpeed_mps(const std::vector<Disc>& others) const {
   double gap_m = std::numeric_limits<double>::infinity();
   for (const Disc& other : others) {
-    const Eigen::Vector2d to = other.p_m - p_m_;
-    const double along_m = to.dot(heading_);
-    const double aside_m = (to - along_m * heading_).norm();
-    const double touching_m = other.radius_m + habits_.radius_m;
-    if (along_m > 0.0 && aside_m < touching_m + habits_.shoulder_m) gap_m = std::min(gap_m, to.norm() - touching_m);
+    if (isInTheWay(other)) gap_m = std::min(gap_m, (other.p_m - p_m_).norm() - other.radius_m - habits_.radius_m);
   }
   return pace_mps_ * std::clamp((gap_m - habits_.stopsAt_m) / (habits_.slowsAt_m - habits_.stopsAt_m), 0.0, 1.0);
 }
@@ -89,12 +99,11 @@ void Walker::step(double dt_s, const std::vector<Disc>& others) {
   if (way_m_.empty()) choosePlace(*ground_.floor);
   if (way_m_.empty()) return;
   const Eigen::Vector2d ahead = way_m_.back() - p_m_;
-  if (ahead.norm() > 1e-6) heading_ = ahead.normalized();
   const double wanted_mps = wantedSpeed_mps(others);
   const double most_mps = habits_.acceleration_mps2 * dt_s;
   speed_mps_ += std::clamp(wanted_mps - speed_mps_, -most_mps, most_mps);
   waited_s_ = speed_mps_ < 0.1 ? waited_s_ + dt_s : 0.0;
-  p_m_ += std::min(speed_mps_ * dt_s, ahead.norm()) * heading_;
+  p_m_ += std::min(speed_mps_ * dt_s, ahead.norm()) * ahead.normalized();
   if ((way_m_.back() - p_m_).norm() > 1e-3) return;
   way_m_.pop_back();
   if (!way_m_.empty()) return;

@@ -36,11 +36,11 @@ class Walker {
   void step(double dt_s, const std::vector<Disc>& others);
 
   [[nodiscard]] Disc disc() const { return {p_m_, habits_.radius_m}; }
-  [[nodiscard]] double speed_mps() const { return speed_mps_; }
 
  private:
   void choosePlace(const mapping::DrivableFloor& floor);
   [[nodiscard]] mapping::DrivableFloor floorAround(const std::vector<Disc>& others) const;
+  [[nodiscard]] bool isInTheWay(const Disc& other) const;
   [[nodiscard]] double wantedSpeed_mps(const std::vector<Disc>& others) const;
 
   const WalkingGround& ground_;
@@ -52,7 +52,6 @@ class Walker {
   double rests_s_ = 0.0;
   double waited_s_ = 0.0;
   bool wasAttracted_ = false;
-  Eigen::Vector2d heading_ = Eigen::Vector2d::UnitX();
   std::vector<Eigen::Vector2d> way_m_;  ///< Still to go, the next point last.
 };
 
