@@ -141,6 +141,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   } catch (const core::InputError&) {
     failure = std::current_exception();  // what went well until then is written first
   }
+  if (live) live->source().close();
   slam.finish();
   if (mapFile) {
     try {

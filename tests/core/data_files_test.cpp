@@ -54,5 +54,12 @@ TEST_F(DataFilesTest, MissingFileListsThePlacesTried) {
                         HasSubstr((folder_.path() / "chosen").string()), HasSubstr("WARDSLAM_DATA_DIR"))));
 }
 
+TEST(FindProgram, LooksBesideTheLibraryAndLeavesTheRestToThePath) {
+  EXPECT_EQ(findProgram("/a/b"), "/a/b");
+  EXPECT_EQ(findProgram("./b"), "./b");
+  EXPECT_EQ(findProgram("no-such-program"), "no-such-program");
+  EXPECT_TRUE(findProgram("test_core").has_parent_path());  // this program lies beside the others
+}
+
 }  // namespace
 }  // namespace wardslam::core

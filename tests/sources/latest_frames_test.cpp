@@ -28,6 +28,15 @@ TEST(LatestFrames, TheOldestGiveWay) {
   EXPECT_EQ(frames.skipped(), 3U);
 }
 
+TEST(LatestFrames, DiscardedOnesCountAsSkipped) {
+  LatestFrames frames(2);
+  frames.push("a");
+  frames.push("b");
+  frames.discard();
+  EXPECT_EQ(frames.pop(0ms), std::nullopt);
+  EXPECT_EQ(frames.skipped(), 2U);
+}
+
 TEST(LatestFrames, WakesWhoWaits) {
   LatestFrames frames(1);
   std::thread camera([&] { frames.push("a"); });

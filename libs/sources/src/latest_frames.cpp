@@ -34,6 +34,12 @@ void LatestFrames::close() {
   changed_.notify_all();
 }
 
+void LatestFrames::discard() {
+  const std::lock_guard lock(mutex_);
+  skipped_ += waiting_.size();
+  waiting_.clear();
+}
+
 bool LatestFrames::isDrained() const {
   const std::lock_guard lock(mutex_);
   return isClosed_ && waiting_.empty();

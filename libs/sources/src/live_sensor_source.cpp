@@ -55,15 +55,17 @@ LiveSensorSource::LiveSensorSource(LiveSensor sensor, const SourceOptions& optio
   try {
     first_ = waitForScan();
   } catch (...) {
-    isStopping_ = true;
-    thread_.join();
+    close();
     throw;
   }
 }
 
-LiveSensorSource::~LiveSensorSource() {
+LiveSensorSource::~LiveSensorSource() { close(); }
+
+void LiveSensorSource::close() {
   isStopping_ = true;
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
+  frames_.discard();
 }
 
 LiveCounts LiveSensorSource::counts() const { return {frames_.pushed(), frames_.skipped(), unusable_, reconnects_}; }

@@ -22,6 +22,7 @@ class LatestFrames {
   [[nodiscard]] std::optional<std::string> pop(std::chrono::milliseconds patience);
 
   void close();                          ///< No more frames will come.
+  void discard();                        ///< What waits counts as skipped.
   [[nodiscard]] bool isDrained() const;  ///< Closed, and nothing waits.
 
   [[nodiscard]] std::size_t pushed() const;

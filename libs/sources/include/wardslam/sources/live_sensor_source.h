@@ -58,6 +58,10 @@ class LiveSensorSource : public ObservationSource {
   [[nodiscard]] core::DepthNoise depthNoise() const override {
     return camera_ ? camera_->color.depthNoise : core::DepthNoise{};
   }
+
+  /// Closes the camera; next() is not to be called any more. Then all that was received was delivered, skipped or
+  /// unusable.
+  void close();
   [[nodiscard]] LiveCounts counts() const;
 
  private:
