@@ -10,14 +10,14 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "visual SLAM in hospitals, among people who walk about
- From the images of an RGB-D or stereo camera to the way of a robot and a map of
- objects, leaving out what moves. Reads MRPT rawlogs, folders in the layout of
- the TUM RGB-D benchmark, and live cameras; its filters are plug-ins for MRPT's
- programs too. Contains programs, libraries, headers and configuration.")
+# Goes below the description of the project.
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"From the images of an RGB-D or stereo camera to the way of a robot and a map
+of objects, leaving out what moves. Reads MRPT rawlogs, folders in the layout
+of the TUM RGB-D benchmark, and live cameras; its filters are plug-ins for
+MRPT's programs too. Contains programs, libraries, headers and configuration.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libgl1-mesa-dri)  # rawlog-synth renders without a display
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
   "mrpt-apps, libmrpt-dev, libopencv-dev, libceres-dev, libeigen3-dev, libyaml-cpp-dev, cmake")  # to build on it

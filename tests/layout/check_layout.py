@@ -14,6 +14,8 @@ from pathlib import Path
 MAX_LINES = 450
 CODE_FOLDERS = ("libs", "apps", "rawlog_tools", "tests")
 FLOOR_ROW = re.compile(r"^\|\s*(\d+)\s*\|\s*`(\w+)`\s*\|")
+MRPT_COMPAT = "libs/core/include/wardslam/core/mrpt_compat.h"
+MRPT_VERSION = re.compile(r"\bMRPT_VERSION|__has_include\s*\(\s*[<\"]mrpt/|\bDEFINE_VIRTUAL_MRPT_OBJECT")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROOM_TARGET = re.compile(r"\bwardslam(?:::|_)(\w+)")
 PRINTS_OR_EXITS = re.compile(r"\bstd::(cout|cerr|clog)\b|(?<![\w.>])(printf|puts|exit|_exit|quick_exit|abort)\s*\(")
@@ -59,6 +61,7 @@ class Checker:
             self.check_room(folder)
         for path in (path for folder in CODE_FOLDERS for path in sources(self.root / folder)):
             self.check_shape(path)
+            self.check_mrpt_version(path)
         for path in sorted((self.root / "tests").glob("*/*_test.cpp")):
             self.check_mirrors_source(path)
         return self.violations
@@ -114,6 +117,13 @@ class Checker:
             self.report(path, 1, "a header needs #pragma once")
         if len(lines) > MAX_LINES:
             self.report(path, len(lines), f"longer than {MAX_LINES} lines: split it")
+
+    def check_mrpt_version(self, path):
+        if path.relative_to(self.root).as_posix() == MRPT_COMPAT:
+            return
+        for number, line in numbered(blanked(path.read_text(encoding="utf-8"), strings=False)):
+            if MRPT_VERSION.search(line):
+                self.report(path, number, f"what depends on MRPT's version belongs in {MRPT_COMPAT}")
 
     def check_mirrors_source(self, path):
         room = path.parent.name

@@ -100,6 +100,15 @@ class LayoutTest(unittest.TestCase):
     def test_long_file(self):
         self.assert_single({"apps/tool/main.cpp": "\n" * 451}, "apps/tool/main.cpp:451: longer than 450 lines")
 
+    def test_mrpt_version_outside_the_compat_header(self):
+        compat = "libs/core/include/wardslam/core/mrpt_compat.h"
+        for line in ("#if MRPT_VERSION >= 0x2e0", "#if __has_include(<mrpt/viz/Scene.h>)",
+                     "  DEFINE_VIRTUAL_MRPT_OBJECT(Filter)"):
+            with self.subTest(line):
+                self.assert_single({"apps/tool/main.cpp": f"\n{line}\n"},
+                                   "apps/tool/main.cpp:2: what depends on MRPT's version belongs in " + compat)
+                self.assertEqual([], self.violations({compat: header("core", line)}))
+
     def test_test_without_a_source(self):
         self.assert_single({"tests/core/gone_test.cpp": ""}, "tests/core/gone_test.cpp:1: mirrors nothing")
 

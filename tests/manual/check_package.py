@@ -22,7 +22,7 @@ def expected_files(programs):
     yield from ("usr/share/doc/wardslam/copyright", "usr/share/doc/wardslam/changelog.gz",
                 "usr/share/wardslam/config/wardslam.yaml", "usr/share/wardslam/models.yaml",
                 "usr/lib/cmake/wardslam/wardslam-config.cmake", "usr/include/wardslam/pipeline/slam_system.h",
-                "usr/lib/libwardslam-mrpt.so", "usr/share/bash-completion/completions/wardslam")
+                "usr/lib/wardslam/libwardslam-mrpt.so", "usr/share/bash-completion/completions/wardslam")
     for program in programs:
         yield f"usr/bin/{program}"
         yield f"usr/share/man/man1/{program}.1.gz"
@@ -39,7 +39,7 @@ def check(cpack, configuration, folder, programs):
     complaints = [f"{file} is missing" for file in expected_files(programs) if file not in contents]
     complaints += [f"{file} is not below usr/" for file in contents if file and not file.startswith("usr/")]
     for field, part in (("Package", "wardslam"), ("Section", "science"), ("Description", "SLAM"),
-                        ("Depends", "libmrpt-obs"), ("Depends", "libopencv-core"), ("Depends", "libceres")):
+                        ("Depends", "libmrpt-obs"), ("Depends", "libopencv-core"), ("Depends", "libpcl")):
         if part not in fields.get(field, ""):
             complaints.append(f"{field}: {fields.get(field)} does not name {part}")
     shutil.rmtree(folder)

@@ -2,10 +2,26 @@
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/poses/CPose3D.h>
+#include <mrpt/rtti/CObject.h>
+#include <mrpt/version.h>
 
 #include <Eigen/Geometry>
 
-/// Everything that depends on MRPT's conventions or version, in one place.
+/// Everything that depends on MRPT's conventions or version, in one place; docs/architecture.md says what else changed
+/// in MRPT 3.
+#if __has_include(<mrpt/viz/Scene.h>)
+#error "This is written for MRPT 2.5 to 2.15, and what was found is MRPT 3"
+#endif
+
+/// Within an abstract class that MRPT can name. MRPT_VERSION is hexadecimal digits: from 2.14.0 on the macro takes the
+/// namespace too.
+#if MRPT_VERSION >= 0x2e0
+#define WARDSLAM_DEFINE_VIRTUAL_MRPT_OBJECT(class_name, class_namespace) \
+  DEFINE_VIRTUAL_MRPT_OBJECT(class_name, class_namespace)
+#else
+#define WARDSLAM_DEFINE_VIRTUAL_MRPT_OBJECT(class_name, class_namespace) DEFINE_VIRTUAL_MRPT_OBJECT(class_name)
+#endif
+
 namespace wardslam::core {
 
 /// UNIX seconds to and from MRPT's clock (100 ns ticks since 1601).

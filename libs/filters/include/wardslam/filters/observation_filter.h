@@ -1,13 +1,12 @@
 #pragma once
 
-#include <mrpt/rtti/CObject.h>
-
 #include <Eigen/Geometry>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "wardslam/core/frame.h"
+#include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/options.h"
 
 namespace wardslam::segmentation {
@@ -31,7 +30,7 @@ struct FilterContext {
 ///
 /// Filters are made by class name through MRPT's run-time class registry, so that one may live in a plug-in library.
 class ObservationFilter : public mrpt::rtti::CObject {
-  DEFINE_VIRTUAL_MRPT_OBJECT(ObservationFilter)
+  WARDSLAM_DEFINE_VIRTUAL_MRPT_OBJECT(ObservationFilter, wardslam::filters)
 
  public:
   /// Once, before the first frame. Throws core::InputError on unknown keys, bad values or a missing context.
