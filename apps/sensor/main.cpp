@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <string>
 #include <thread>
 
 #include "sensor_session.h"
@@ -47,8 +48,10 @@ int takeStandardOutput() {
 int main(int argc, char** argv) {
   using namespace wardslam;
   if (argc < 3) {
-    std::cerr << "usage: wardslam-sensor FILE.ini SECTION [PLUGIN.so ...]; `wardslam run FILE.ini` starts it\n";
-    return apps::kWrongUsage;
+    const bool asksForHelp = argc == 2 && std::string(argv[1]) == "--help";
+    (asksForHelp ? std::cout : std::cerr)
+        << "usage: wardslam-sensor FILE.ini SECTION [PLUGIN.so ...]; `wardslam run FILE.ini` starts it\n";
+    return asksForHelp ? apps::kSuccess : apps::kWrongUsage;
   }
   std::signal(SIGPIPE, SIG_IGN);
   mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(true);
