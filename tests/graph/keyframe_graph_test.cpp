@@ -111,5 +111,16 @@ TEST(KeyframeGraph, APointMovesWithThePlaceItWasSeenFrom) {
   EXPECT_TRUE(graph.points().at(1).point.viewedFrom_map_m.isApprox(Eigen::Vector3d(1, 2, 3)));
 }
 
+TEST(KeyframeGraph, ARemovedKeyframeTakesAlongWhatOnlyItSaw) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1, 2, 3}));
+  graph.insert(handMadeKeyframe(2, {1}));
+  EXPECT_THAT(graph.remove(1), ElementsAre(2, 3));
+  EXPECT_EQ(graph.keyframes().count(1), 0U);
+  EXPECT_THAT(graph.points().at(1).seenBy, ElementsAre(2));
+  EXPECT_EQ(graph.points().size(), 1U);
+  EXPECT_THAT(graph.covisible(2), IsEmpty());
+}
+
 }  // namespace
 }  // namespace wardslam::graph

@@ -78,7 +78,7 @@ TEST_F(MapperTest, GoesOnWithAnEarlierMap) {
 
   Mapper mapper(fewAndFast(), {});
   mapper.restore(saved);
-  EXPECT_EQ(mapper.graph().keyframes().size(), static_cast<std::size_t>(kKeyframes));
+  EXPECT_EQ(mapper.graph().keyframes().size(), earlier.graph().keyframes().size());
   EXPECT_EQ(mapper.graph().points().size(), earlier.graph().points().size());
   for (const auto& [id, node] : earlier.graph().points()) {
     EXPECT_TRUE(mapper.graph().points().at(id).point.p_map_m.isApprox(node.point.p_map_m, 1e-9));
@@ -143,6 +143,53 @@ TEST_F(MapperTest, DropsPointsThatNobodySeesAgain) {
   const auto update = mapper.insert(walk_.step());
   EXPECT_EQ(std::set<PointId>(update.removedPoints.begin(), update.removedPoints.end()), once);
   for (const PointId id : once) EXPECT_EQ(mapper.graph().points().count(id), 0U);
+}
+
+TEST_F(MapperTest, GrowsWithTheAreaAndNotWithTheRoundsInIt) {
+  GraphOptions options = fewAndFast();
+  options.bundle_adjustment.local_iterations = 2;
+  options.redundancy.min_keyframe_gap = 10;
+  Mapper mapper(options, {});
+  std::vector<std::size_t> keyframes;
+  std::vector<std::size_t> points;
+  std::map<KeyframeId, odometry::RemovedKeyframe> removed;
+  for (int round = 0; round < 4; ++round) {
+    for (int i = 0; i < kRound; ++i) {
+      const auto update = mapper.insert(walk_.step());
+      walk_.recall(update);
+      for (const auto& keyframe : update.removedKeyframes) removed[keyframe.id] = keyframe;
+    }
+    keyframes.push_back(mapper.graph().keyframes().size());
+    points.push_back(mapper.graph().points().size());
+  }
+  EXPECT_LE(keyframes.back(), keyframes[1] * 105 / 100);
+  EXPECT_LE(points.back(), points[1] * 105 / 100);
+  EXPECT_EQ(keyframes.back() + removed.size(), static_cast<std::size_t>(4 * kRound));
+  for (const auto& [id, keyframe] : removed) {
+    Eigen::Isometry3d T_heir_cam = keyframe.T_heir_cam;
+    KeyframeId heir = keyframe.heir;
+    for (auto next = removed.find(heir); next != removed.end(); next = removed.find(heir)) {
+      T_heir_cam = next->second.T_heir_cam * T_heir_cam;
+      heir = next->second.heir;
+    }
+    const Eigen::Isometry3d T_map_cam = mapper.graph().keyframes().at(heir).T_map_cam * T_heir_cam;
+    EXPECT_LT(test::distance_m(T_map_cam, walk_.T_first_cam(id)), 0.02) << id << " is where it was";
+  }
+  for (const Loop& loop : mapper.loops()) {
+    EXPECT_EQ(mapper.graph().keyframes().count(loop.older), 1U);
+    EXPECT_EQ(mapper.graph().keyframes().count(loop.newer), 1U);
+    const Eigen::Isometry3d T_older_newer = walk_.T_first_cam(loop.older).inverse() * walk_.T_first_cam(loop.newer);
+    EXPECT_LT(test::distance_m(loop.T_older_newer, T_older_newer), 0.02);
+  }
+}
+
+TEST_F(MapperTest, KeepsAllKeyframesWhenTold) {
+  GraphOptions options = fewAndFast();
+  options.cull_keyframes = false;
+  options.redundancy.min_keyframe_gap = 10;
+  Mapper mapper(options, {});
+  for (int i = 0; i < kRound + 12; ++i) walk_.recall(mapper.insert(walk_.step()));
+  EXPECT_EQ(mapper.graph().keyframes().size(), static_cast<std::size_t>(kRound + 12));
 }
 
 }  // namespace

@@ -81,5 +81,19 @@ TEST_F(PlaceRecognitionTest, TheLikeliestComesFirst) {
   EXPECT_EQ(places_.candidates(place(9), {}).front(), 1U);
 }
 
+TEST_F(PlaceRecognitionTest, FindsNothingThatWasRemoved) {
+  add(place());
+  addElsewhere(kGap);
+  places_.remove(1);
+  EXPECT_THAT(places_.candidates(place(), {}), IsEmpty());
+  add(place());
+  places_.remove(last_);
+  addElsewhere(2 * kGap);
+  EXPECT_THAT(places_.candidates(place(), {}), IsEmpty()) << "also not of those that waited";
+  add(place());
+  places_.build();
+  EXPECT_THAT(places_.candidates(place(), {}), ElementsAre(last_));
+}
+
 }  // namespace
 }  // namespace wardslam::graph

@@ -7,6 +7,7 @@
 
 #include "odometry/synthetic_world.h"
 #include "wardslam/odometry/keyframe.h"
+#include "wardslam/odometry/map_update.h"
 
 namespace wardslam::test {
 
@@ -70,6 +71,20 @@ class SyntheticWalk {
 
   /// No point is recognised in what follows; the way goes on.
   void forgetPoints() { remembered_.clear(); }
+
+  /// Tracking knows points again that the map tells it of, and goes by what points turned out to be.
+  void recall(const odometry::MapUpdate& update) {
+    for (auto& [worldPoint, memory] : remembered_) {
+      if (const auto fused = update.fusedPoints.find(memory.id); fused != update.fusedPoints.end())
+        memory.id = fused->second;
+    }
+    const odometry::KeyframeId newest = truth_.rbegin()->first;
+    for (const auto& [id, point] : update.recalledPoints) {
+      Memory& memory = remembered_[worldPointOf(id)];
+      if (memory.id == 0 || memory.lastSeen + kRemembered < newest) memory.id = id;
+      memory.lastSeen = newest;
+    }
+  }
 
   /// Tracking starts anew, in a map frame of its own.
   void loseTrack() {

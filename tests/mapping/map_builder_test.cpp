@@ -356,5 +356,39 @@ TEST_F(MapBuilderTest, WithoutMasksThereIsACloudOfNoClass) {
   EXPECT_TRUE(objects().empty());
 }
 
+TEST_F(MapBuilderTest, WhatHungOnARemovedKeyframeStaysAndHangsOnItsHeir) {
+  look({wall(), chair(2, 0, 1)}, 4);
+  const Eigen::Isometry3d T_map_second = cameraAt({-0.4, 0, 1});
+  builder_.addKeyframe(keyframe(2, T_map_second));
+  const auto wider = scene::render({wall(), chair(2, 0, 1)}, T_map_second, stamp_s_ += 0.2, 2, T_map_second);
+  for (int i = 0; i < 4; ++i) builder_.add(wider);
+  const std::vector<Point> before = points();
+  static_cast<void>(builder_.takeChanges());
+  odometry::MapUpdate update;
+  update.removedKeyframes = {{2, 1, cameraAt({0, 0, 1}).inverse() * T_map_second}};
+  builder_.apply(update);
+
+  const MapParts changes = builder_.takeChanges();
+  EXPECT_EQ(changes.keyframes.count(2), 1U);
+  EXPECT_THAT(changes.tiles, testing::ElementsAre(1, 2));
+  const SemanticMap map = builder_.map();
+  EXPECT_EQ(map.keyframes.count(2), 0U);
+  EXPECT_EQ(map.cloud.count(2), 0U);
+  ASSERT_EQ(points().size(), before.size());
+  EXPECT_EQ(objects().size(), 1U);
+  builder_.add(wider);  // came late: its keyframe is gone
+  EXPECT_EQ(points().size(), before.size());
+
+  update = {};
+  update.T_map_cam[1] = cameraAt({0, 1, 1});
+  builder_.apply(update);
+  Eigen::AlignedBox3d was;
+  Eigen::AlignedBox3d is;
+  for (const Point& p : before) was.extend(p.p_map_m.cast<double>());
+  for (const Point& p : points()) is.extend(p.p_map_m.cast<double>());
+  EXPECT_TRUE(is.min().isApprox(was.min() + Eigen::Vector3d(0, 1, 0), 1e-2)) << "all of it moves along with the heir";
+  EXPECT_TRUE(is.max().isApprox(was.max() + Eigen::Vector3d(0, 1, 0), 1e-2));
+}
+
 }  // namespace
 }  // namespace wardslam::mapping

@@ -114,7 +114,7 @@ TEST_F(LocalMapTest, TakesOverBetterPositionsAndRemovals) {
   update.p_map_m[moved] = {0.5, 0, 2};
   update.p_map_m[999] = {1, 1, 1};  // forgotten meanwhile
   update.removedPoints = {removed, 998};
-  map_.apply(update);
+  map_.apply(update, 7);
   EXPECT_THAT(ids(), ElementsAre(moved));
   EXPECT_TRUE(map_.find(moved)->p_map_m.isApprox(Eigen::Vector3d(0.5, 0, 2)));
   EXPECT_THAT(map_.neighbourhood({moved}), ElementsAre(moved));
@@ -128,7 +128,7 @@ TEST_F(LocalMapTest, AFusedPointHandsItsKeyframesOn) {
   map_.addKeyframe(2, {twin, other});
   MapUpdate update;
   update.fusedPoints[twin] = old;
-  map_.apply(update);
+  map_.apply(update, 7);
   EXPECT_THAT(ids(), ElementsAre(old, other));
   EXPECT_THAT(map_.neighbourhood({other}), ElementsAre(old, other));
   EXPECT_THAT(map_.neighbourhood({old}), ElementsAre(old, other));
@@ -142,6 +142,35 @@ TEST_F(LocalMapTest, ClearedItForgetsAllAndUsesNoIdTwice) {
   const PointId after = map_.add(pointAt(0));
   EXPECT_NE(before, after);
   EXPECT_THAT(map_.neighbourhood({before, after}), IsEmpty());
+}
+
+TEST_F(LocalMapTest, ARemovedKeyframeLeavesItsPoints) {
+  const PointId a = map_.add(pointAt(0));
+  const PointId b = map_.add(pointAt(1));
+  map_.addKeyframe(1, {a, b});
+  map_.addKeyframe(2, {b});
+  MapUpdate update;
+  update.removedKeyframes = {{1, 2, Eigen::Isometry3d::Identity()}, {99, 2, Eigen::Isometry3d::Identity()}};
+  map_.apply(update, 7);
+  EXPECT_THAT(ids(), ElementsAre(a, b));
+  EXPECT_THAT(map_.neighbourhood({a}), IsEmpty());
+  EXPECT_THAT(map_.neighbourhood({b}), ElementsAre(b));
+}
+
+TEST_F(LocalMapTest, RecallsWhatItForgotOfAKeyframe) {
+  const PointId kept = map_.add(pointAt(0, 5));
+  const PointId forgotten = map_.add(pointAt(1, 1));
+  map_.addKeyframe(1, {kept, forgotten});
+  for (int i = 0; i < 3; ++i) map_.add(pointAt(2, 9));
+  map_.cull();
+  ASSERT_EQ(map_.find(forgotten), nullptr);
+  MapUpdate update;
+  update.recalledKeyframes[1] = {kept, forgotten};
+  update.recalledPoints = {{kept, pointAt(0)}, {forgotten, pointAt(1)}};
+  map_.apply(update, 20);
+  EXPECT_THAT(map_.neighbourhood({kept}), ElementsAre(kept, forgotten));
+  map_.cull();
+  EXPECT_NE(map_.find(forgotten), nullptr) << "others were not seen for longer";
 }
 
 }  // namespace

@@ -38,5 +38,22 @@ TEST(TrajectoryRecorder, FramesFollowTheirKeyframes) {
   EXPECT_TRUE(later[2].T_map_cam.isApprox(at(1, 0))) << "by where the keyframes are now";
 }
 
+TEST(TrajectoryRecorder, FramesOfARemovedKeyframeHangOnItsHeir) {
+  TrajectoryRecorder recorder;
+  record(recorder, 1.0, odometry::State::Ok, 1, at(0, 0));
+  record(recorder, 2.0, odometry::State::Ok, 2, at(1, 0));
+  record(recorder, 3.0, odometry::State::Ok, 3, at(1, 0));
+  record(recorder, 4.0, odometry::State::Ok, 1, at(4, 0));
+  odometry::MapUpdate update;
+  update.removedKeyframes = {{3, 2, at(0, 1)}, {2, 1, at(1, 0, M_PI / 2)}, {9, 1, at(0, 0)}};
+  recorder.apply(update);
+  const auto trajectory = recorder.corrected({{1, at(10, 0)}});
+  ASSERT_EQ(trajectory.size(), 4U);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(trajectory[static_cast<std::size_t>(i)].stamp_s, i + 1.0) << "in order of time";
+  EXPECT_TRUE(trajectory[1].T_map_cam.isApprox(at(11, 1, M_PI / 2)));
+  EXPECT_TRUE(trajectory[2].T_map_cam.isApprox(at(10, 1, M_PI / 2))) << "by way of an heir that was removed itself";
+  EXPECT_TRUE(trajectory[3].T_map_cam.isApprox(at(14, 0)));
+}
+
 }  // namespace
 }  // namespace wardslam::pipeline

@@ -1,5 +1,6 @@
 #include "wardslam/storage/map_file_writer.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
@@ -162,6 +163,25 @@ TEST_F(MapFileWriterTest, GoesOnWithAMapThatIsThere) {
 
 TEST_F(MapFileWriterTest, ThrowsWhereNoFileCanBe) {
   EXPECT_THROW(MapFileWriter(folder_.path() / "missing" / "map.wardmap", {}), core::InputError);
+}
+
+TEST_F(MapFileWriterTest, ARemovedKeyframeLeavesTheFileWithAllThatNamesIt) {
+  for (const odometry::KeyframeId id : {1, 2, 3}) insertAndWrite(id);
+  odometry::MapUpdate update;
+  update.removedKeyframes = {{2, 1, Eigen::Isometry3d(Eigen::Translation3d(1, 0, 0))}};
+  builder_.apply(update);
+  writer_.apply(update);
+  writer_.write(builder_);
+  EXPECT_THAT(keyframes(), ElementsAre(1, 3));
+  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+  EXPECT_EQ(MapFile::open(path_).read().keyframes.count(2), 0U);
+
+  SQLite::Database database(path_.string());
+  SQLite::Statement way(database, "SELECT from_keyframe, to_keyframe FROM edges WHERE kind = 'odometry'");
+  ASSERT_TRUE(way.executeStep()) << "the way goes on from 1 to 3";
+  EXPECT_EQ(way.getColumn(0).getInt(), 1);
+  EXPECT_EQ(way.getColumn(1).getInt(), 3);
+  EXPECT_FALSE(way.executeStep());
 }
 
 }  // namespace

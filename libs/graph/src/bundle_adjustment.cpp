@@ -50,7 +50,10 @@ class AdjustmentProblem {
 
   void solve(int maxIterations, const std::atomic<bool>* stop) {
     ceres::Problem problem;
-    for (Edge& edge : edges_) addResidual(edge, problem);
+    for (Edge& edge : edges_) {
+      // A point behind the camera has no error that could be made less, and one such would end it all.
+      if (std::isfinite(squaredError(edge))) addResidual(edge, problem);
+    }
     for (const KeyframeId id : fixed_) {
       double* pose = poses_.at(id).data();
       if (problem.HasParameterBlock(pose)) problem.SetParameterBlockConstant(pose);
@@ -82,8 +85,7 @@ class AdjustmentProblem {
       graph.setPosition(id, point);
     }
     for (const Edge& edge : edges_) {
-      if (edge.error.squared(poses_.at(edge.keyframe), points_.at(edge.point)) < odometry::chiSquareOf(*edge.keypoint))
-        continue;
+      if (squaredError(edge) < odometry::chiSquareOf(*edge.keypoint)) continue;
       graph.removeSighting(edge.keyframe, edge.point);
       if (graph.points().count(edge.point) == 0) update.removedPoints.push_back(edge.point);
     }
@@ -100,6 +102,10 @@ class AdjustmentProblem {
                                    options_.depth_sigma_scale);
       edges_.push_back({id, point, &keypoint, error});
     }
+  }
+
+  [[nodiscard]] double squaredError(const Edge& edge) const {
+    return edge.error.squared(poses_.at(edge.keyframe), points_.at(edge.point));
   }
 
   void addResidual(Edge& edge, ceres::Problem& problem) {

@@ -65,6 +65,17 @@ void KeyframeGraph::removeSighting(KeyframeId keyframe, PointId point) {
   if (node->second.seenBy.empty()) points_.erase(node);
 }
 
+std::vector<PointId> KeyframeGraph::remove(KeyframeId id) {
+  std::vector<PointId> removedPoints;
+  const auto sightings = keyframes_.at(id).keypointOf;
+  for (const auto& [point, keypoint] : sightings) {
+    removeSighting(id, point);
+    if (points_.count(point) == 0) removedPoints.push_back(point);
+  }
+  keyframes_.erase(id);
+  return removedPoints;
+}
+
 void KeyframeGraph::fuse(PointId from, PointId into) {
   for (const KeyframeId id : points_.at(from).seenBy) {
     auto& keypointOf = keyframes_.at(id).keypointOf;

@@ -1,9 +1,11 @@
 #include "wardslam/graph/mapper.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "pose_graph.h"
+#include "redundancy.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/graph/bundle_adjustment.h"
 
@@ -25,8 +27,7 @@ void moveKeyframes(KeyframeGraph& graph, const std::map<KeyframeId, Eigen::Isome
 }
 
 /// The whole submap as tracking should know it.
-odometry::MapUpdate describe(const KeyframeGraph& graph, std::uint32_t submap) {
-  odometry::MapUpdate update;
+void describe(const KeyframeGraph& graph, std::uint32_t submap, odometry::MapUpdate& update) {
   for (const auto& [id, node] : graph.keyframes()) {
     if (node.submap != submap) continue;
     update.T_map_cam[id] = node.T_map_cam;
@@ -34,7 +35,18 @@ odometry::MapUpdate describe(const KeyframeGraph& graph, std::uint32_t submap) {
       update.p_map_m[point] = graph.points().at(point).point.p_map_m;
     }
   }
-  return update;
+}
+
+/// The loop as it is when what hung on the removed keyframe hangs on its heir.
+void rehang(Loop& loop, const odometry::RemovedKeyframe& removed) {
+  if (loop.older == removed.id) {
+    loop.older = removed.heir;
+    loop.T_older_newer = removed.T_heir_cam * loop.T_older_newer;
+  }
+  if (loop.newer == removed.id) {
+    loop.newer = removed.heir;
+    loop.T_older_newer = loop.T_older_newer * removed.T_heir_cam.inverse();
+  }
 }
 
 }  // namespace
@@ -58,15 +70,13 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
   graph_.insert(keyframe);
   auto update = adjust(graph_, localWindow(graph_, keyframe->id, adjustment), adjustment, adjustment.local_iterations);
   cullPoints(keyframe->id, update);
-  if (!options_.close_loops) return update;
-
-  rememberPlaces(keyframe->id);
-  const auto loop = recognise(keyframe->id);
-  if (!loop) return update;
-  auto correction = close(*loop, stop);
-  correction.removedPoints.insert(correction.removedPoints.end(), update.removedPoints.begin(),
-                                  update.removedPoints.end());
-  return correction;
+  if (options_.cull_keyframes) cullKeyframes(keyframe->id, update);
+  if (options_.close_loops) {
+    rememberPlaces(keyframe->id);
+    if (const auto loop = recognise(keyframe->id)) close(*loop, stop, update);
+  }
+  recallAround(keyframe->id, update);
+  return update;
 }
 
 void Mapper::cullPoints(KeyframeId newest, odometry::MapUpdate& update) {
@@ -82,6 +92,39 @@ void Mapper::cullPoints(KeyframeId newest, odometry::MapUpdate& update) {
     graph_.removeSighting(*node->second.seenBy.begin(), point);
     update.removedPoints.push_back(point);
   }
+}
+
+/// Of what shows the same, the older stays: more hangs on it.
+void Mapper::cullKeyframes(KeyframeId newest, odometry::MapUpdate& update) {
+  const std::uint32_t submap = graph_.keyframes().at(newest).submap;
+  const auto& keyframes = graph_.keyframes();
+  const KeyframeId first =
+      std::find_if(keyframes.begin(), keyframes.end(), [&](const auto& k) { return k.second.submap == submap; })->first;
+  std::set<KeyframeId, std::greater<>> candidates;
+  for (const auto& [id, shared] : graph_.covisible(newest)) {
+    const bool isYoung = id + static_cast<KeyframeId>(options_.probation_keyframes) >= newest;
+    if (!isYoung && id != first) candidates.insert(id);
+  }
+  for (const KeyframeId id : candidates) {
+    if (isRedundant(graph_, id, options_.redundancy)) remove(id, update);
+  }
+}
+
+void Mapper::remove(KeyframeId id, odometry::MapUpdate& update) {
+  const auto removed = heirOf(graph_, id);
+  const auto sightings = graph_.keyframes().at(id).keypointOf;
+  const auto points = graph_.remove(id);
+  update.T_map_cam.erase(id);
+  update.removedKeyframes.push_back(removed);
+  update.removedPoints.insert(update.removedPoints.end(), points.begin(), points.end());
+  for (const auto& [point, keypoint] : sightings) {
+    const auto node = graph_.points().find(point);
+    const bool isSeenOnce = node != graph_.points().end() && node->second.seenBy.size() == 1;
+    if (isSeenOnce) onProbation_.emplace(*node->second.seenBy.begin(), point);
+  }
+  places_.remove(id);
+  young_.erase(std::remove(young_.begin(), young_.end(), id), young_.end());
+  for (Loop& loop : loops_) rehang(loop, removed);
 }
 
 void Mapper::adjustAll() {
@@ -131,21 +174,18 @@ std::optional<Loop> Mapper::recognise(KeyframeId newest) const {
   return std::nullopt;
 }
 
-odometry::MapUpdate Mapper::close(const Loop& loop, const std::atomic<bool>* stop) {
+void Mapper::close(const Loop& loop, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
   loops_.push_back(loop);
-  const auto joined = joinSubmaps(loop);
+  update.joined = joinSubmaps(loop);
   const std::uint32_t submap = graph_.keyframes().at(loop.newer).submap;
   optimisePoses(submap);
-  odometry::MapUpdate fused;
-  fuse(loop, fused);
+  fuse(loop, update);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
   const auto adjusted = adjust(graph_, globalWindow(graph_, submap), adjustment, adjustment.global_iterations, stop);
-  odometry::MapUpdate update = describe(graph_, submap);
-  update.fusedPoints = std::move(fused.fusedPoints);
-  update.removedPoints = adjusted.removedPoints;
-  update.joined = joined;
-  recall(loop, update);
-  return update;
+  update.removedPoints.insert(update.removedPoints.end(), adjusted.removedPoints.begin(), adjusted.removedPoints.end());
+  update.p_map_m.clear();  // with them the points fused away
+  describe(graph_, submap, update);
+  for (const KeyframeId id : loop.place) recall(id, update);
 }
 
 std::optional<odometry::SubmapJoin> Mapper::joinSubmaps(const Loop& loop) {
@@ -182,12 +222,31 @@ void Mapper::fuse(const Loop& loop, odometry::MapUpdate& update) {
   }
 }
 
-void Mapper::recall(const Loop& loop, odometry::MapUpdate& update) const {
-  for (const KeyframeId id : loop.place) {
-    for (const auto& [point, keypoint] : graph_.keyframes().at(id).keypointOf) {
-      update.recalledKeyframes[id].push_back(point);
-      update.recalledPoints.emplace(point, graph_.points().at(point).point);
+/// Tracking forgets what it has not seen for long, and of what a loop ties on it knows one place only: as a known place
+/// comes near, it is told.
+void Mapper::recallAround(KeyframeId newest, odometry::MapUpdate& update) {
+  std::set<KeyframeId> around;
+  const auto addNeighboursOf = [&](KeyframeId keyframe) {
+    for (const auto& [id, shared] : graph_.covisible(keyframe)) {
+      if (shared >= static_cast<std::size_t>(options_.bundle_adjustment.min_shared_points)) around.insert(id);
     }
+  };
+  addNeighboursOf(newest);
+  for (const KeyframeId id : std::set<KeyframeId>(around)) addNeighboursOf(id);
+  const auto gap = static_cast<KeyframeId>(options_.place_recognition.min_keyframe_gap);
+  for (const KeyframeId id : around) {
+    const bool isJustMade = id + gap > newest;
+    if (!isJustMade && around_.count(id) == 0) recall(id, update);
+  }
+  around_ = std::move(around);
+}
+
+void Mapper::recall(KeyframeId id, odometry::MapUpdate& update) const {
+  auto& points = update.recalledKeyframes[id];
+  points.clear();
+  for (const auto& [point, keypoint] : graph_.keyframes().at(id).keypointOf) {
+    points.push_back(point);
+    update.recalledPoints.emplace(point, graph_.points().at(point).point);
   }
 }
 

@@ -19,6 +19,22 @@ struct PlaceRecognition::Index {
   cv::Mat descriptors;
   std::vector<odometry::KeyframeId> keyframeOf;  ///< Per row.
   std::unique_ptr<cv::flann::Index> search;      ///< Over all rows; rebuilt now and then.
+  std::set<odometry::KeyframeId> removed;        ///< Whose rows go with the next building.
+
+  void dropRemoved() {
+    if (removed.empty()) return;
+    cv::Mat kept;
+    std::vector<odometry::KeyframeId> keyframeOfKept;
+    for (int row = 0; row < descriptors.rows; ++row) {
+      const auto keyframe = keyframeOf[static_cast<std::size_t>(row)];
+      if (removed.count(keyframe) != 0) continue;
+      kept.push_back(descriptors.row(row));
+      keyframeOfKept.push_back(keyframe);
+    }
+    descriptors = kept;
+    keyframeOf = std::move(keyframeOfKept);
+    removed.clear();
+  }
 };
 
 PlaceRecognition::PlaceRecognition(const PlaceRecognitionOptions& options)
@@ -33,6 +49,7 @@ void PlaceRecognition::add(odometry::KeyframeId keyframe, const cv::Mat& descrip
 
 void PlaceRecognition::build() {
   index_->search.reset();  // it looks into the rows, which may move when some are added
+  index_->dropRemoved();
   for (const auto& [keyframe, descriptors] : waiting_) {
     index_->descriptors.push_back(descriptors);
     index_->keyframeOf.insert(index_->keyframeOf.end(), static_cast<std::size_t>(descriptors.rows), keyframe);
@@ -41,6 +58,16 @@ void PlaceRecognition::build() {
   if (index_->descriptors.empty()) return;
   index_->search = std::make_unique<cv::flann::Index>(
       index_->descriptors, cv::flann::LshIndexParams(kTables, kKeyBits, kProbes), cvflann::FLANN_DIST_HAMMING);
+}
+
+void PlaceRecognition::remove(odometry::KeyframeId keyframe) {
+  const auto waits = [&](const auto& entry) { return entry.first == keyframe; };
+  const auto waiting = std::find_if(waiting_.begin(), waiting_.end(), waits);
+  if (waiting != waiting_.end()) {
+    waiting_.erase(waiting);
+  } else {
+    index_->removed.insert(keyframe);
+  }
 }
 
 std::vector<odometry::KeyframeId> PlaceRecognition::candidates(const core::Features& features,
@@ -56,7 +83,8 @@ std::vector<odometry::KeyframeId> PlaceRecognition::candidates(const core::Featu
       const int row = rows.at<int>(feature, i);
       if (row < 0 || distances.at<int>(feature, i) > options_.max_descriptor_distance) continue;
       const auto keyframe = index_->keyframeOf.at(static_cast<std::size_t>(row));
-      if (excluded.count(keyframe) == 0 && votedFor.insert(keyframe).second) ++votes[keyframe];
+      const bool mayVote = excluded.count(keyframe) == 0 && index_->removed.count(keyframe) == 0;
+      if (mayVote && votedFor.insert(keyframe).second) ++votes[keyframe];
     }
   }
   std::vector<std::pair<int, odometry::KeyframeId>> ranking;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/odometry/observation_error.h"
@@ -101,18 +102,20 @@ PoseGraph makePoseGraph(const KeyframeGraph& graph, std::uint32_t submap, const 
     if (poses.nodes.empty()) poses.root = id;
     poses.nodes[id] = core::toMrpt(node.T_map_cam);
   }
+  KeyframeId previous = 0;
   for (const auto& [id, pose] : poses.nodes) {
     const KeyframeNode& node = graph.keyframes().at(id);
+    const KeyframeId before = std::exchange(previous, id);
     for (const auto& [older, shared] : graph.covisible(id)) {
-      const bool isNext = older + 1 == id;
+      const bool isNext = older == before;
       const bool isTied = isNext || static_cast<int>(shared) >= options.min_shared_points;
       if (older > id || !isTied || poses.nodes.count(older) == 0) continue;
       const Eigen::Isometry3d T_older_id = graph.keyframes().at(older).T_map_cam.inverse() * node.T_map_cam;
       addEdge(poses, older, id, T_older_id, static_cast<double>(shared) / kPointsOfFullWeight, options);
     }
-    if (poses.nodes.count(id - 1) == 0 || poses.edgeExists(id - 1, id)) continue;
-    const Eigen::Isometry3d T_previous_id = graph.keyframes().at(id - 1).T_map_cam.inverse() * node.T_map_cam;
-    addEdge(poses, id - 1, id, T_previous_id, 1.0 / kPointsOfFullWeight, options);  // shared nothing: a weak tie
+    if (before == 0 || poses.edgeExists(before, id)) continue;
+    const Eigen::Isometry3d T_before_id = graph.keyframes().at(before).T_map_cam.inverse() * node.T_map_cam;
+    addEdge(poses, before, id, T_before_id, 1.0 / kPointsOfFullWeight, options);  // shared nothing: a weak tie
   }
   for (const Loop& loop : loops) {
     if (poses.nodes.count(loop.older) == 0) continue;

@@ -62,6 +62,7 @@ class MapBuilder::Impl {
  private:
   Part& part(std::uint32_t submap) { return parts_.try_emplace(submap, options_).first->second; }
   void join(std::uint32_t from, std::uint32_t into);
+  void remove(const odometry::RemovedKeyframe& removed);
   void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
   const cv::Mat& raysOf(const core::CameraModel& camera);
   std::vector<ObjectId> recogniseObjects(Part& part, const View& view,
@@ -118,6 +119,7 @@ void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
 
 void MapBuilder::Impl::apply(const odometry::MapUpdate& update) {
   follow(update.T_map_cam);
+  for (const auto& removed : update.removedKeyframes) remove(removed);
   if (update.joined) join(update.joined->from, update.joined->into);
 }
 
@@ -131,6 +133,18 @@ void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_m
   for (auto& [submap, part] : parts_) {
     touched_.merge(part.cloud.movePoses(T_map_cam));
   }
+}
+
+/// The heir saw the same floor free.
+void MapBuilder::Impl::remove(const odometry::RemovedKeyframe& removed) {
+  const auto keyframe = keyframes_.find(removed.id);
+  const auto heir = keyframes_.find(removed.heir);
+  if (keyframe == keyframes_.end() || heir == keyframes_.end()) return;
+  Part& part = this->part(keyframe->second.submap);
+  touched_.merge(part.cloud.movePoses({{removed.id, heir->second.T_map_cam * removed.T_heir_cam}}));
+  part.cloud.moveTile(removed.id, removed.heir);
+  keyframes_.erase(keyframe);
+  changes_.keyframes.insert(removed.id);
 }
 
 void MapBuilder::Impl::join(std::uint32_t from, std::uint32_t into) {

@@ -21,10 +21,16 @@ constexpr float kMostPrecision_m2 = 4.0e6F;  // (0.5 mm)^-2: systematic errors d
 }  // namespace
 
 void SemanticCloud::addTile(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam) {
-  const auto [entry, isNew] = tileOf_.try_emplace(keyframe, static_cast<std::uint32_t>(tiles_.size()));
-  if (!isNew) return;
+  if (tileOf_.count(keyframe) != 0) return;
+  if (!tileOf_.empty()) tiles_[tileOf_.rbegin()->second].points.shrink_to_fit();  // few will come to it now
+  if (freeTiles_.empty()) {
+    freeTiles_.push_back(static_cast<std::uint32_t>(tiles_.size()));
+    tiles_.emplace_back();
+  }
   const Eigen::Isometry3f T = T_map_cam.cast<float>();
-  tiles_.push_back({keyframe, T, T, 0.0F, {}});
+  tiles_[freeTiles_.back()] = {keyframe, T, T, 0.0F, {}};
+  tileOf_[keyframe] = freeTiles_.back();
+  freeTiles_.pop_back();
 }
 
 void SemanticCloud::restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam, const SemanticCloudTile& saved) {
@@ -66,6 +72,24 @@ std::set<ObjectId> SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Is
   }
   reindex(moved);
   return objects;
+}
+
+void SemanticCloud::moveTile(KeyframeId from, KeyframeId onto) {
+  const std::uint32_t fromIndex = tileOf_.at(from);
+  const std::uint32_t ontoIndex = tileOf_.at(onto);
+  Tile& tile = tiles_[ontoIndex];
+  const Eigen::Isometry3f T_onto_from = tile.T_map_cam.inverse() * tiles_[fromIndex].T_map_cam;
+  tile.points.reserve(tile.points.size() + tiles_[fromIndex].points.size());
+  for (CloudPoint& point : tiles_[fromIndex].points) {
+    point.p_cam_m = T_onto_from * point.p_cam_m;
+    index_[point.cell] = {ontoIndex, static_cast<std::uint32_t>(tile.points.size())};
+    tile.radius_m = std::max(tile.radius_m, point.p_cam_m.norm());
+    tile.points.push_back(point);
+  }
+  changed_.insert({from, onto});
+  tileOf_.erase(from);
+  tiles_[fromIndex] = {};
+  freeTiles_.push_back(fromIndex);
 }
 
 const Tile* SemanticCloud::find(KeyframeId keyframe) const {
@@ -325,11 +349,10 @@ std::map<ObjectId, std::vector<Eigen::Vector3f>> SemanticCloud::pointsOf(const s
 
 void SemanticCloud::absorb(SemanticCloud&& other) {
   std::vector<std::uint32_t> added;
-  for (Tile& tile : other.tiles_) {
-    const auto index = static_cast<std::uint32_t>(tiles_.size());
-    tileOf_[tile.keyframe] = index;
-    added.push_back(index);
-    tiles_.push_back(std::move(tile));
+  for (const auto& [keyframe, otherIndex] : other.tileOf_) {
+    addTile(keyframe, Eigen::Isometry3d::Identity());
+    added.push_back(tileOf_.at(keyframe));
+    tiles_[added.back()] = std::move(other.tiles_[otherIndex]);
   }
   for (const auto& [object, count] : other.pointCounts_) pointCounts_[object] += count;
   enter(added);

@@ -63,6 +63,9 @@ class SemanticCloud {
   /// moved by half a voxel or more since points were last put in their cells.
   std::set<ObjectId> movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
 
+  /// The points stay where they are and hang on another keyframe; the first one's tile is gone.
+  void moveTile(KeyframeId from, KeyframeId onto);
+
   [[nodiscard]] const Tile* find(KeyframeId keyframe) const;
   [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }
   [[nodiscard]] const CloudPoint& at(const PointRef& ref) const { return tiles_[ref.tile].points[ref.point]; }
@@ -121,6 +124,7 @@ class SemanticCloud {
   CloudOptions options_;
   std::vector<Tile> tiles_;
   std::map<KeyframeId, std::uint32_t> tileOf_;
+  std::vector<std::uint32_t> freeTiles_;  ///< Without keyframe and points, to be used again.
   std::unordered_map<std::uint64_t, PointRef, CellHash> index_;
   std::map<ObjectId, std::size_t> pointCounts_;  ///< Of every object that has points.
   std::set<KeyframeId> changed_;

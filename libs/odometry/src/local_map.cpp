@@ -1,7 +1,6 @@
 #include "local_map.h"
 
 #include <algorithm>
-#include <set>
 
 namespace wardslam::odometry {
 
@@ -11,12 +10,15 @@ PointId LocalMap::add(const MapPoint& point) {
 }
 
 void LocalMap::addKeyframe(KeyframeId id, const std::vector<PointId>& points) {
-  auto& seen = keyframes_[id];
-  for (const PointId point : points) {
-    if (points_.count(point) == 0) continue;
-    seen.push_back(point);
-    seenBy_[point].push_back(id);
-  }
+  for (const PointId point : points) link(id, point);
+}
+
+void LocalMap::link(KeyframeId keyframe, PointId point) {
+  if (points_.count(point) == 0) return;
+  auto& seenBy = seenBy_[point];
+  if (std::find(seenBy.begin(), seenBy.end(), keyframe) != seenBy.end()) return;
+  seenBy.push_back(keyframe);
+  keyframes_[keyframe].push_back(point);
 }
 
 const MapPoint* LocalMap::find(PointId id) const {
@@ -36,13 +38,14 @@ std::vector<PointId> LocalMap::neighbourhood(const std::vector<PointId>& seeds) 
   std::sort(ranking.rbegin(), ranking.rend());
   ranking.resize(std::min(ranking.size(), static_cast<std::size_t>(options_.max_neighbours)));
 
-  std::set<PointId> points;
+  std::vector<PointId> points;
   for (const auto& [count, keyframe] : ranking) {
-    for (const PointId point : keyframes_.at(keyframe)) {
-      if (points_.count(point) != 0) points.insert(point);
-    }
+    const auto& seen = keyframes_.at(keyframe);
+    points.insert(points.end(), seen.begin(), seen.end());
   }
-  return {points.begin(), points.end()};
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
 }
 
 void LocalMap::observe(PointId id, const core::Keypoint& keypoint, const core::CameraModel& camera,
@@ -59,11 +62,8 @@ void LocalMap::describe(PointId id, const core::Keypoint& keypoint, const OrbDes
   describeFrom(points_.at(id), keypoint, descriptor, T_map_cam);
 }
 
-void LocalMap::apply(const MapUpdate& update) {
-  for (const auto& [id, point] : update.recalledPoints) points_.emplace(id, point);
-  for (const auto& [id, points] : update.recalledKeyframes) {
-    if (keyframes_.count(id) == 0) addKeyframe(id, points);
-  }
+void LocalMap::apply(const MapUpdate& update, std::uint64_t frame) {
+  recall(update, frame);
   for (const auto& [from, into] : update.fusedPoints) fuse(from, into);
   for (const auto& [id, p_map_m] : update.p_map_m) {
     const auto point = points_.find(id);
@@ -72,6 +72,12 @@ void LocalMap::apply(const MapUpdate& update) {
     point->second.p_map_m = p_map_m;
   }
   for (const PointId id : update.removedPoints) remove(id);
+  for (const RemovedKeyframe& removed : update.removedKeyframes) removeKeyframe(removed.id);
+}
+
+void LocalMap::recall(const MapUpdate& update, std::uint64_t frame) {
+  for (const auto& [id, point] : update.recalledPoints) points_.emplace(id, point).first->second.lastSeenFrame = frame;
+  for (const auto& [id, points] : update.recalledKeyframes) addKeyframe(id, points);
 }
 
 void LocalMap::cull() {
@@ -91,16 +97,30 @@ void LocalMap::clear() {
 
 void LocalMap::remove(PointId id) {
   points_.erase(id);
-  seenBy_.erase(id);
+  const auto seenBy = seenBy_.find(id);
+  if (seenBy == seenBy_.end()) return;
+  for (const KeyframeId keyframe : seenBy->second) {
+    const auto seen = keyframes_.find(keyframe);
+    seen->second.erase(std::find(seen->second.begin(), seen->second.end(), id));
+    if (seen->second.empty()) keyframes_.erase(seen);
+  }
+  seenBy_.erase(seenBy);
+}
+
+void LocalMap::removeKeyframe(KeyframeId id) {
+  const auto seen = keyframes_.find(id);
+  if (seen == keyframes_.end()) return;
+  for (const PointId point : seen->second) {
+    auto& seenBy = seenBy_.at(point);
+    seenBy.erase(std::find(seenBy.begin(), seenBy.end(), id));
+  }
+  keyframes_.erase(seen);
 }
 
 void LocalMap::fuse(PointId from, PointId into) {
   const auto seenBy = seenBy_.find(from);
-  if (seenBy != seenBy_.end() && points_.count(into) != 0) {
-    for (const KeyframeId keyframe : seenBy->second) {
-      keyframes_.at(keyframe).push_back(into);
-      seenBy_[into].push_back(keyframe);
-    }
+  if (seenBy != seenBy_.end()) {
+    for (const KeyframeId keyframe : seenBy->second) link(keyframe, into);
   }
   remove(from);
 }
@@ -113,12 +133,6 @@ void LocalMap::forgetOldest() {
   std::sort(byAge.begin(), byAge.end());
   byAge.resize(byAge.size() - limit);
   for (const auto& [frame, id] : byAge) remove(id);
-  for (auto it = keyframes_.begin(); it != keyframes_.end();) {
-    auto& points = it->second;
-    points.erase(std::remove_if(points.begin(), points.end(), [&](PointId id) { return points_.count(id) == 0; }),
-                 points.end());
-    it = points.empty() ? keyframes_.erase(it) : std::next(it);
-  }
 }
 
 }  // namespace wardslam::odometry

@@ -39,7 +39,8 @@ class LocalMap {
   /// Remembers what surrounds it.
   void sign(PointId id, core::Signature signature) { points_.at(id).signature = std::move(signature); }
 
-  void apply(const MapUpdate& update);
+  /// Recalled points count as seen in `frame`, the last one.
+  void apply(const MapUpdate& update, std::uint64_t frame);
 
   /// Drops points that are rarely found where they should be and, above the limit, those unseen for longest.
   void cull();
@@ -49,14 +50,17 @@ class LocalMap {
 
  private:
   void remove(PointId id);
+  void removeKeyframe(KeyframeId id);
+  void link(KeyframeId keyframe, PointId point);
+  void recall(const MapUpdate& update, std::uint64_t frame);
   void fuse(PointId from, PointId into);
   void forgetOldest();
 
   LocalMapOptions options_;
   PointId nextId_;
   std::map<PointId, MapPoint> points_;
-  std::map<PointId, std::vector<KeyframeId>> seenBy_;
-  std::map<KeyframeId, std::vector<PointId>> keyframes_;
+  std::map<PointId, std::vector<KeyframeId>> seenBy_;     ///< Of points that are there,
+  std::map<KeyframeId, std::vector<PointId>> keyframes_;  ///< and the same the other way round.
 };
 
 }  // namespace wardslam::odometry

@@ -208,7 +208,7 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
 }
 
 void Odometry::Tracker::apply(const MapUpdate& update) {
-  map_.apply(update);
+  map_.apply(update, frame_);
   for (PointId& id : lastSeen_) {
     if (const auto fused = update.fusedPoints.find(id); fused != update.fusedPoints.end()) id = fused->second;
   }

@@ -63,7 +63,7 @@ bool SceneKeeper::showsSomethingNew(const core::Frame& frame, const odometry::Od
 }
 
 void SceneKeeper::apply(const odometry::MapUpdate& update) {
-  if (writer_ == nullptr && update.T_map_cam.empty() && !update.joined) return;
+  if (writer_ == nullptr && update.T_map_cam.empty() && update.removedKeyframes.empty() && !update.joined) return;
   post([update, writer = writer_](mapping::MapBuilder& b) {
     b.apply(update);
     if (writer != nullptr) writer->apply(update);

@@ -79,7 +79,9 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   }
   const auto updates = map_.takeUpdates();
   for (const auto& update : updates) {
+    const auto application = profiler.measure("odometry.apply");
     frontEnd_.apply(update);
+    trajectory_.apply(update);
     if (hasEarlierMap_ && !recognisedAt_s_ && update.joined && update.joined->into == 0)
       recognisedAt_s_ = frame.stamp_s;
   }
@@ -90,9 +92,11 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
 
 void SlamSystem::finish() {
   finishedMap_ = &map_.finish();
-  if (!scene_) return;
-  for (const auto& update : map_.takeUpdates()) scene_->apply(update);
-  scene_->finish();
+  for (const auto& update : map_.takeUpdates()) {
+    trajectory_.apply(update);
+    if (scene_) scene_->apply(update);
+  }
+  if (scene_) scene_->finish();
 }
 
 mapping::SemanticMap SlamSystem::semanticMap() const {

@@ -57,6 +57,12 @@ void MapFileWriter::apply(const odometry::MapUpdate& update) {
   for (const auto& [point, p_map_m] : update.p_map_m) pending_.p_map_m[point] = p_map_m;
   pending_.fusedPoints.insert(update.fusedPoints.begin(), update.fusedPoints.end());
   pending_.removedPoints.insert(pending_.removedPoints.end(), update.removedPoints.begin(), update.removedPoints.end());
+  for (const auto& removed : update.removedKeyframes) {
+    auto& views = pending_.views;
+    views.erase(std::remove_if(views.begin(), views.end(), [&](const auto& view) { return view->id == removed.id; }),
+                views.end());
+    pending_.removedKeyframes.push_back(removed.id);
+  }
 }
 
 MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
@@ -66,6 +72,8 @@ MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
   changes.p_map_m = pending_.p_map_m;
   changes.fusedPoints = pending_.fusedPoints;
   changes.removedPoints = pending_.removedPoints;
+  changes.removedKeyframes = pending_.removedKeyframes;
+  for (const auto id : changes.removedKeyframes) changes.cloud.erase(id);  // goes with its keyframe
   std::copy_if(pending_.views.begin(), pending_.views.end(), std::back_inserter(changes.views),
                [&](const auto& view) { return changes.keyframes.count(view->id) > 0 || written_.count(view->id) > 0; });
   return changes;
@@ -74,6 +82,7 @@ MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
 void MapFileWriter::commit(const MapChanges& changes) {
   file_.write(changes);
   for (const auto& [id, keyframe] : changes.keyframes) written_.insert(id);
+  for (const auto id : changes.removedKeyframes) written_.erase(id);
   unwritten_ = {};
   auto waiting = std::move(pending_.views);
   waiting.erase(
@@ -98,6 +107,7 @@ void MapFileWriter::finish(mapping::MapBuilder& builder, const graph::Mapper& ma
   changes.floorPlan = std::move(floorPlan);
   auto keyframes = written_;
   for (const auto& [id, keyframe] : changes.keyframes) keyframes.insert(id);
+  for (const auto id : changes.removedKeyframes) keyframes.erase(id);
   changes.graph = contentOf(mapper.graph(), keyframes);
   for (const auto& loop : mapper.loops()) {
     if (keyframes.count(loop.older) > 0 && keyframes.count(loop.newer) > 0) {

@@ -2,6 +2,8 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <array>
+
 #include "blob_codecs.h"
 #include "map_rows.h"
 
@@ -160,6 +162,41 @@ void writePoints(SQLite::Database& database, const MapChanges& changes) {
   for (const auto& [point, p_map_m] : changes.p_map_m) (ParameterBinder(move) << p_map_m << point).run();
 }
 
+/// The way goes on from the keyframe before to the one behind.
+void bridgeWay(SQLite::Database& database, odometry::KeyframeId removed) {
+  SQLite::Statement find(database,
+                         "SELECT a.from_keyframe, b.to_keyframe, a.x_m, a.y_m, a.z_m, a.qx, a.qy, a.qz, a.qw, b.x_m, "
+                         "b.y_m, b.z_m, b.qx, b.qy, b.qz, b.qw FROM edges a JOIN edges b ON b.from_keyframe = "
+                         "a.to_keyframe WHERE a.kind = 'odometry' AND b.kind = 'odometry' AND a.to_keyframe = ?");
+  ParameterBinder(find) << removed;
+  if (!find.executeStep()) return;
+  LoopEdge bridge;
+  Eigen::Isometry3d T_from_removed = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_removed_to = Eigen::Isometry3d::Identity();
+  ColumnReader(find) >> bridge.from >> bridge.to >> T_from_removed >> T_removed_to;
+  bridge.T_from_to = T_from_removed * T_removed_to;
+  writeEdge(database, "odometry", bridge);
+}
+
+void removeKeyframes(SQLite::Database& database, const MapChanges& changes) {
+  constexpr std::array kSteps = {
+      "DELETE FROM points WHERE id IN (SELECT point FROM sightings WHERE keyframe = ?1) AND NOT EXISTS "
+      "(SELECT 1 FROM sightings s WHERE s.point = points.id AND s.keyframe <> ?1)",
+      "DELETE FROM sightings WHERE keyframe = ?1",
+      "DELETE FROM edges WHERE from_keyframe = ?1 OR to_keyframe = ?1",
+      "DELETE FROM views WHERE keyframe = ?1",
+      "DELETE FROM free_fans WHERE keyframe = ?1",
+      "DELETE FROM cloud_tiles WHERE keyframe = ?1",
+      "DELETE FROM keyframes WHERE id = ?1"};
+  for (const auto removed : changes.removedKeyframes) {
+    bridgeWay(database, removed);
+    for (const char* step : kSteps) {
+      SQLite::Statement statement(database, step);
+      (ParameterBinder(statement) << removed).run();
+    }
+  }
+}
+
 void replaceGraph(SQLite::Database& database, const GraphContent& graph) {
   database.exec("DELETE FROM sightings; DELETE FROM points");
   SQLite::Statement pointRow(database, "INSERT INTO points VALUES (?, ?,?,?)");
@@ -247,6 +284,7 @@ void writeChanges(SQLite::Database& database, const MapChanges& changes) {
   writeKeyframes(database, changes);
   writeViews(database, changes);
   writePoints(database, changes);
+  removeKeyframes(database, changes);
   if (changes.graph) replaceGraph(database, *changes.graph);
   for (const auto& loop : changes.loops) writeEdge(database, "loop", loop);
   writeCloud(database, changes);

@@ -85,10 +85,29 @@ struct PoseGraphOptions {
   }
 };
 
+struct RedundancyOptions {
+  int witnesses = 2;
+  double min_share = 0.8;
+  int min_shared_points = 15;
+  int min_keyframe_gap = 20;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("witnesses", self.witnesses, {1, 1000}, "count",
+          "older keyframes that show the same, for one to be given up");
+    visit("min_share", self.min_share, {0.1, 1.0}, "", "of its points that each of them has in sight from as near");
+    visit("min_shared_points", self.min_shared_points, {1, 10000}, "count", "it must share with each of them");
+    visit("min_keyframe_gap", self.min_keyframe_gap, {1, 10000}, "count",
+          "keyframes by which each of them must be older: it is of an earlier visit");
+  }
+};
+
 /// YAML section `graph:`.
 struct GraphOptions {
   bool close_loops = true;
+  bool cull_keyframes = true;
   int probation_keyframes = 3;
+  RedundancyOptions redundancy;
   BundleAdjustmentOptions bundle_adjustment;
   PlaceRecognitionOptions place_recognition;
   LoopVerificationOptions loop_verification;
@@ -97,8 +116,11 @@ struct GraphOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("close_loops", self.close_loops, "recognise places, correct the map there, join submaps");
+    visit("cull_keyframes", self.cull_keyframes,
+          "give up keyframes that show nothing others do not: the map grows with the area, not with time");
     visit("probation_keyframes", self.probation_keyframes, {1, 1000}, "count",
           "in which a new point must be seen again, or it is dropped");
+    visit.group("redundancy", self.redundancy);
     visit.group("bundle_adjustment", self.bundle_adjustment);
     visit.group("place_recognition", self.place_recognition);
     visit.group("loop_verification", self.loop_verification);

@@ -49,6 +49,9 @@ class KeyframeGraph {
   void setPosition(PointId id, const Eigen::Vector3d& p_map_m);
   void removeSighting(KeyframeId keyframe, PointId point);  ///< And the point, when nobody else sees it.
 
+  /// With its sightings, and the points nobody else sees. Returns those. The newest keyframe must stay.
+  std::vector<PointId> remove(KeyframeId id);
+
   /// `from` turned out to be `into`: its sightings become the other's, also those in keyframes to come.
   void fuse(PointId from, PointId into);
 

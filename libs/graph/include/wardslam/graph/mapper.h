@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <set>
 #include <vector>
 
 #include "wardslam/graph/graph_options.h"
@@ -16,7 +17,8 @@
 namespace wardslam::graph {
 
 /// Keeps the map of keyframes right as it grows: local bundle adjustment after every keyframe; where an old place is
-/// seen again, the loop is closed over a pose graph and everything adjusted; submaps that meet are joined.
+/// seen again, the loop is closed over a pose graph and everything adjusted; submaps that meet are joined. Keyframes
+/// that show nothing new are given up again, so that the map grows with the area and not with the time spent in it.
 ///
 /// Plain and single-threaded; AsyncMapper runs one behind tracking.
 class Mapper {
@@ -41,19 +43,23 @@ class Mapper {
 
  private:
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
+  void cullKeyframes(KeyframeId newest, odometry::MapUpdate& update);
+  void remove(KeyframeId id, odometry::MapUpdate& update);
   void rememberPlaces(KeyframeId newest);
   void rememberPlace(KeyframeId id);
   [[nodiscard]] std::optional<Loop> recognise(KeyframeId newest) const;
-  odometry::MapUpdate close(const Loop& loop, const std::atomic<bool>* stop);
+  void close(const Loop& loop, const std::atomic<bool>* stop, odometry::MapUpdate& update);
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
   void optimisePoses(std::uint32_t submap);
   void fuse(const Loop& loop, odometry::MapUpdate& update);
-  void recall(const Loop& loop, odometry::MapUpdate& update) const;
+  void recallAround(KeyframeId newest, odometry::MapUpdate& update);
+  void recall(KeyframeId id, odometry::MapUpdate& update) const;
 
   GraphOptions options_;
   KeyframeGraph graph_;
   std::multimap<KeyframeId, PointId> onProbation_;  ///< Points by the keyframe that made them.
   std::deque<KeyframeId> young_;                    ///< Too young to be recognised.
+  std::set<KeyframeId> around_;                     ///< Keyframes around the newest.
   PlaceRecognition places_;
   LoopVerification verification_;
   std::vector<Loop> loops_;

@@ -22,6 +22,9 @@ class PlaceRecognition {
   void add(odometry::KeyframeId keyframe, const cv::Mat& descriptors);
   void build();
 
+  /// It is not found any more.
+  void remove(odometry::KeyframeId keyframe);
+
   /// Keyframes, none of `excluded`, that share most looks with these features, likeliest first.
   [[nodiscard]] std::vector<odometry::KeyframeId> candidates(const core::Features& features,
                                                              const std::set<odometry::KeyframeId>& excluded) const;

@@ -49,7 +49,8 @@ class MapBuilder {
   /// Before the views that hang on it.
   void addKeyframe(const odometry::Keyframe& keyframe);
 
-  /// Better poses of keyframes, and submaps that were joined. Ids nobody added are left out.
+  /// Better poses of keyframes, keyframes that were removed, and submaps that were joined. Ids nobody added are left
+  /// out. What hung on a removed keyframe hangs on its heir.
   void apply(const odometry::MapUpdate& update);
 
   /// Works an image in. One whose keyframe nobody added is left out.

@@ -17,22 +17,30 @@ struct SubmapJoin {
   std::uint32_t into = 0;
 };
 
+/// A keyframe that was given up because others show the same: what hung on it hangs on one that stays.
+struct RemovedKeyframe {
+  KeyframeId id = 0;
+  KeyframeId heir = 0;
+  Eigen::Isometry3d T_heir_cam = Eigen::Isometry3d::Identity();  ///< Of the removed, seen from the heir.
+};
+
 /// Better knowledge of what tracking rests on. What is not named stays as it is.
 struct MapUpdate {
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
   std::map<PointId, Eigen::Vector3d> p_map_m;
+  std::vector<RemovedKeyframe> removedKeyframes;  ///< In order: an heir may be removed itself later on.
   std::vector<PointId> removedPoints;
   std::map<PointId, PointId> fusedPoints;  ///< The first turned out to be the second.
 
-  /// A place that was left long ago and is in sight again: its points, and which keyframe saw which.
+  /// A known place that comes into sight: its points, and which keyframe saw which.
   std::map<PointId, MapPoint> recalledPoints;
   std::map<KeyframeId, std::vector<PointId>> recalledKeyframes;
 
   std::optional<SubmapJoin> joined;
 
   [[nodiscard]] bool empty() const {
-    return T_map_cam.empty() && p_map_m.empty() && removedPoints.empty() && fusedPoints.empty() &&
-           recalledPoints.empty();
+    return T_map_cam.empty() && p_map_m.empty() && removedKeyframes.empty() && removedPoints.empty() &&
+           fusedPoints.empty() && recalledPoints.empty();
   }
 };
 

@@ -4,14 +4,19 @@
 #include <vector>
 
 #include "wardslam/core/trajectory.h"
+#include "wardslam/odometry/map_update.h"
 #include "wardslam/pipeline/frame_observer.h"
 
 namespace wardslam::pipeline {
 
-/// Remembers every tracked frame relative to its keyframe, so that later corrections of the map correct it too.
+/// Remembers every tracked frame relative to its keyframe, so that later corrections of the map correct it too. This is
+/// the one thing in a run that grows with time: by about 150 bytes a frame.
 class TrajectoryRecorder : public FrameObserver {
  public:
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
+
+  /// Frames of keyframes that were removed hang on the heirs from now on.
+  void apply(const odometry::MapUpdate& update);
 
   /// One pose per tracked frame, by where the keyframes are now.
   [[nodiscard]] core::Trajectory corrected(
@@ -20,11 +25,10 @@ class TrajectoryRecorder : public FrameObserver {
  private:
   struct RelativePose {
     double stamp_s = 0.0;
-    odometry::KeyframeId keyframe = 0;
     Eigen::Isometry3d T_keyframe_cam = Eigen::Isometry3d::Identity();
   };
 
-  std::vector<RelativePose> poses_;
+  std::map<odometry::KeyframeId, std::vector<RelativePose>> framesOf_;
 };
 
 }  // namespace wardslam::pipeline
