@@ -90,7 +90,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["coverage"] = statistics.coverage();
   json["lost_events"] = statistics.lostEvents();
   json["keyframes"] = statistics.keyframes();
-  json["loops_closed"] = summary.slam.map().loops().size();
+  json["loops_closed"] = summary.slam.map().loopsClosed();
   json["submaps_joined"] = summary.slam.map().submapsJoined();
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
   if (summary.truth != nullptr) json["dynamic"] = toJson(*summary.truth);

@@ -125,6 +125,8 @@ void Mapper::remove(KeyframeId id, odometry::MapUpdate& update) {
   places_.remove(id);
   young_.erase(std::remove(young_.begin(), young_.end(), id), young_.end());
   for (Loop& loop : loops_) rehang(loop, removed);
+  const auto tiesNothing = [](const Loop& loop) { return loop.older == loop.newer; };
+  loops_.erase(std::remove_if(loops_.begin(), loops_.end(), tiesNothing), loops_.end());
 }
 
 void Mapper::adjustAll() {
@@ -176,6 +178,7 @@ std::optional<Loop> Mapper::recognise(KeyframeId newest) const {
 
 void Mapper::close(const Loop& loop, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
   loops_.push_back(loop);
+  ++loopsClosed_;
   update.joined = joinSubmaps(loop);
   const std::uint32_t submap = graph_.keyframes().at(loop.newer).submap;
   optimisePoses(submap);

@@ -188,6 +188,7 @@ void removeKeyframes(SQLite::Database& database, const MapChanges& changes) {
       "DELETE FROM free_fans WHERE keyframe = ?1",
       "DELETE FROM cloud_tiles WHERE keyframe = ?1",
       "DELETE FROM keyframes WHERE id = ?1"};
+  database.exec("PRAGMA defer_foreign_keys = ON");  // until the transaction ends
   for (const auto removed : changes.removedKeyframes) {
     bridgeWay(database, removed);
     for (const char* step : kSteps) {

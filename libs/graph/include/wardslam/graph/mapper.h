@@ -35,7 +35,9 @@ class Mapper {
                              const std::atomic<bool>* stop = nullptr);
 
   [[nodiscard]] const KeyframeGraph& graph() const { return graph_; }
+  /// Those that tie keyframes together still: one between an old keyframe and one given up for it is no more needed.
   [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
+  [[nodiscard]] std::size_t loopsClosed() const { return loopsClosed_; }
   [[nodiscard]] std::size_t submapsJoined() const { return submapsJoined_; }
 
   /// Adjusts the whole map once more: after the last keyframe.
@@ -63,6 +65,7 @@ class Mapper {
   PlaceRecognition places_;
   LoopVerification verification_;
   std::vector<Loop> loops_;
+  std::size_t loopsClosed_ = 0;
   std::size_t submapsJoined_ = 0;
 };
 
