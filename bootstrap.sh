@@ -17,6 +17,7 @@ readonly PACKAGES=(
   libegl1 libegl-mesa0 libgl1-mesa-dri # rawlog-synth renders without a display
   libopenni2-dev # the virtual camera of the tests
   mrpt-apps # rawlog-edit and rawlog-grabber, which the tests run
+  dpkg-dev file # the Debian package
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
 )
 

@@ -84,10 +84,10 @@ std::string synopsis(const std::string& program, const Command& command) {
 }  // namespace
 
 std::string manualPage(const CLI::App& app) {
-  const std::string program = app.get_name();
+  const std::string& program = app.get_name();
   const auto commands = commandsOf(app);
   std::ostringstream page;
-  page << ".TH " << upperCase(program) << " 1 \"\" \"" << plain(app.version()) << "\" \"User Commands\"\n"
+  page << ".TH " << upperCase(program) << R"( 1 "" ")" << plain(app.version()) << "\" \"User Commands\"\n"
        << ".SH NAME\n"
        << program << " \\- " << plain(app.get_description()) << "\n.SH SYNOPSIS\n"
        << synopsis(program, commands.front()) << ".SH OPTIONS\n";

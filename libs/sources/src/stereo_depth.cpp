@@ -21,6 +21,7 @@ using mrpt::obs::CObservation3DRangeScan;
 using mrpt::obs::CObservationStereoImages;
 
 constexpr double kRangeUnits_m = 0.001;
+constexpr double kDisparityUnits_px = 1.0 / static_cast<double>(cv::StereoMatcher::DISP_SCALE);
 
 cv::Mat rectified(const mrpt::img::CImage& image, const StereoRig::Maps& maps) {
   const cv::Mat& recorded = image.asCvMatRef();
@@ -91,8 +92,7 @@ class StereoDepth::Matcher {
     sgbm_->compute(widened(grayOf(left), margin_px_), widened(grayOf(right), margin_px_), disparity);
     cv::Mat depth(left.size(), CV_16UC1);
     depth.forEach<std::uint16_t>([&](std::uint16_t& units, const int* at) {
-      const double d_px =
-          static_cast<double>(disparity.at<std::int16_t>(at[0], at[1] + margin_px_)) / cv::StereoMatcher::DISP_SCALE;
+      const double d_px = kDisparityUnits_px * disparity.at<std::int16_t>(at[0], at[1] + margin_px_);
       const double parallax_px = d_px - rig_.disparityOfInfinity_px;
       const double z_m = parallax_px > 0 ? rig_.camera.fx_px * rig_.baseline_m / parallax_px : 0.0;
       const bool isSeenByBoth = d_px <= at[1];
