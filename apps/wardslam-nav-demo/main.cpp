@@ -21,6 +21,7 @@
 #include "truth.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/mapping/floor_planner.h"
 #include "wardslam/mapping/zones.h"
 #include "wardslam/storage/map_file.h"
 #include "watch_window.h"
@@ -108,6 +109,7 @@ void write(const cv::Mat& picture, const fs::path& file) {
 
 int deliver(const Arguments& a) {
   auto map = storage::MapFile::open(a.map).read();
+  if (map.floorPlan.cells.empty()) map.floorPlan = mapping::drawFloorPlan(map, {});  // of a run that was killed
   if (!a.zones.empty()) map.zones = mapping::Zones::fromFile(a.zones).all();
   const auto mission = nav_demo::planMission(map, orderOf(a), a.simulation.robot);
   const auto truth = a.truth.empty() ? nav_demo::truthFromMap(map) : nav_demo::readTruth(a.truth, map);

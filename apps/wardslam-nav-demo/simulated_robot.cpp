@@ -68,8 +68,16 @@ double SimulatedRobot::safeShare(double forward_mps, double turn_radps) const {
   return share;
 }
 
+/// Slower near anything: people may come nearer while it stops.
+double SimulatedRobot::carefulShare() const {
+  double gap_m = options_.carefulWithin_m;
+  for (const auto& p : scan_m_) gap_m = std::min(gap_m, p.norm() - options_.radius_m);
+  return std::max(options_.slowestShare, gap_m / options_.carefulWithin_m);
+}
+
 void SimulatedRobot::drive(double forward_mps, double turn_radps) {
-  const double share = std::abs(forward_mps) > 1e-3 ? safeShare(forward_mps, turn_radps) : 1.0;
+  const double share =
+      std::abs(forward_mps) > 1e-3 ? std::min(carefulShare(), safeShare(forward_mps, turn_radps)) : 1.0;
   vehicle_.movementCommand(share * forward_mps, share * turn_radps);
 }
 

@@ -14,8 +14,10 @@ struct RobotOptions {
   double maxSpeed_mps = 0.6;
   double maxTurn_radps = 1.2;
   double braking_mps2 = 0.6;
-  double keepsOff_m = 0.05;  ///< It stops so far from what the scanner sees in its way.
-  double lag_s = 0.15;       ///< Time constant of the wheels.
+  double keepsOff_m = 0.05;      ///< It stops so far from what the scanner sees in its way.
+  double carefulWithin_m = 0.5;  ///< It slows down the nearer anything is, from this far on,
+  double slowestShare = 0.3;     ///< to this share of its speed.
+  double lag_s = 0.15;           ///< Time constant of the wheels.
   double scanPeriod_s = 0.1;
   double fixSigma_m = 0.01;  ///< Localisation: noise of every fix, on top of the map's own error.
   double fixSigma_rad = 0.005;
@@ -40,6 +42,7 @@ class SimulatedRobot {
   [[nodiscard]] const RobotOptions& options() const { return options_; }
 
  private:
+  [[nodiscard]] double carefulShare() const;
   [[nodiscard]] double safeShare(double forward_mps, double turn_radps) const;
 
   RobotOptions options_;

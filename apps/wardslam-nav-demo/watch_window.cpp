@@ -52,7 +52,7 @@ WatchWindow::WatchWindow(const mapping::SemanticMap& map, const Mission& mission
   }
   window_->window.unlockAccess3DScene();
   window_->window.setCameraElevationDeg(60.0F);
-  window_->window.setCameraZoom(12.0F);
+  window_->window.setCameraZoom(16.0F);
 }
 
 WatchWindow::~WatchWindow() = default;

@@ -40,13 +40,23 @@ TEST(SimulatedRobot, StopsBeforeWhatItSees) {
 
 TEST(SimulatedRobot, PassesWhatIsBeside) {
   SimulatedRobot robot({}, poseAt(0.0, 0.0, 0.0), 1);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const double x_m = robot.T_world_robot().translation().x();
-    robot.see({{1.0 - x_m, 0.35}, {-0.3, 0.0}});
+    robot.see({{1.0 - x_m, 0.35}, {-0.3 - x_m, 0.0}});
     robot.drive(0.6, 0.0);
     robot.step(kStep_s);
   }
   EXPECT_GT(robot.T_world_robot().translation().x(), 1.8);
+}
+
+TEST(SimulatedRobot, IsSlowNearAnything) {
+  SimulatedRobot robot({}, poseAt(0.0, 0.0, 0.0), 1);
+  robot.see({{0.0, 0.5}});  // a gap of 0.25 m, half of what it is careful within
+  for (int i = 0; i < 100; ++i) {
+    robot.drive(0.6, 0.0);
+    robot.step(kStep_s);
+  }
+  EXPECT_NEAR(robot.forward_mps(), 0.3, 0.01);
 }
 
 TEST(SimulatedRobot, KnowsItsPlaceUpToNoise) {
