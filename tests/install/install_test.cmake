@@ -45,6 +45,19 @@ run(${CMAKE_COMMAND} -S ${EXAMPLES}/embedding -B ${WORK}/embedding -D CMAKE_PREF
 run(${CMAKE_COMMAND} --build ${WORK}/embedding)
 run(${WORK}/embedding/embedding ${WORK}/ward.rawlog ${WORK}/ward_labels/masks ${EXAMPLES}/embedding/embedding.ini)
 
+# The plug-in in MRPT's own program, where there is one.
+find_program(rawlog_edit rawlog-edit)
+if(rawlog_edit)
+  run(${WORK}/prefix/bin/rawlog-annotate ${WORK}/ward.rawlog --masks ${WORK}/ward_labels/masks --embed
+      -o ${WORK}/embedded.rawlog)
+  file(GLOB_RECURSE plugin ${WORK}/prefix/*/libwardslam-mrpt.so)
+  execute_process(COMMAND ${rawlog_edit} -p ${plugin} -i ${WORK}/embedded.rawlog --info OUTPUT_VARIABLE info
+                  ERROR_VARIABLE info)
+  if(NOT info MATCHES "RGBD_SEM */ *3 ")
+    message(FATAL_ERROR "rawlog-edit does not read what rawlog-annotate embedded:\n${info}")
+  endif()
+endif()
+
 # Installed programs start from their new place and find their libraries.
 file(GLOB programs ${WORK}/prefix/bin/*)
 foreach(program IN LISTS programs)
