@@ -49,7 +49,7 @@ TEST_F(ExportSceneTest, HasABoxWithItsNameForWhatStandsThere) {
   EXPECT_FALSE(scene_.getByName("object 6")) << "that chair is gone";
   bool isNamed = false;
   for (std::size_t i = 0; const auto text = scene_.getByClass<mrpt::opengl::CText>(i); ++i) {
-    isNamed = isNamed || text->getString() == "bed 5";
+    isNamed = isNamed || text->getString() == "bed #5";
   }
   EXPECT_TRUE(isNamed);
 }
