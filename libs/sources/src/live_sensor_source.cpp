@@ -81,17 +81,18 @@ void LiveSensorSource::watch() {
       say(ending.sentence + "; trying to open it again");
     }
     const bool wasNeverThere = !lostAt_;
-    if (ending.isFinal || wasNeverThere || failures >= sensor_.options.max_attempts) {
-      {
-        const std::lock_guard lock(mutex_);
-        failure_ = ending.sentence;
-        if (failures > 0) failure_ += " (after " + std::to_string(failures) + " attempts to open it again)";
-      }
-      frames_.close();
-      return;
-    }
+    if (ending.isFinal || wasNeverThere || failures >= sensor_.options.max_attempts) return giveUp(ending, failures);
     pause(failures);
   }
+}
+
+void LiveSensorSource::giveUp(const Ending& ending, int failures) {
+  {
+    const std::lock_guard lock(mutex_);
+    failure_ = ending.sentence;
+    if (failures > 0) failure_ += " (after " + std::to_string(failures) + " attempts to open it again)";
+  }
+  frames_.close();
 }
 
 /// From opening to trouble.

@@ -39,7 +39,7 @@ bool isVerbose() {
   return verbose != nullptr && std::strcmp(verbose, "0") != 0;
 }
 
-/// In a process group of its own, so that Ctrl-C reaches only us.
+/// In a process group of its own, so that Ctrl-C reaches only us, and all of it can be killed.
 int spawn(pid_t& pid, std::vector<std::string> command, const Pipe& in, const Pipe& out) {
   std::vector<char*> argv;
   argv.reserve(command.size() + 1);
@@ -87,7 +87,7 @@ SensorProcess::~SensorProcess() {
 
 void SensorProcess::kill() {
   if (pid_ == 0) return;
-  ::kill(pid_, SIGKILL);
+  ::kill(-pid_, SIGKILL);  // its process group: also what it started
   // A process that is stuck within the kernel outlives even this; it must not hold us up.
   if (!hasEnded(kGrace)) pid_ = 0;
 }

@@ -6,7 +6,7 @@
 #include <mrpt/obs/CObservationIMU.h>
 
 #include <chrono>
-#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
@@ -29,7 +29,7 @@ class FakeSensor : public mrpt::hwdrivers::CGenericSensor {
     const bool isTrouble = ++number_ > goodFrames_;
     if (isTrouble && trouble_ == "hangs") std::this_thread::sleep_for(std::chrono::hours(1));
     if (isTrouble && trouble_ == "throws") throw std::runtime_error("the plug was pulled");
-    if (isTrouble && trouble_ == "crashes") std::raise(SIGSEGV);
+    if (isTrouble && trouble_ == "crashes") std::abort();  // as a failed assertion of COpenNI2Sensor does
     const bool resizes = isTrouble && trouble_ == "resizes";
     auto scan = makeScan(number_, (resizes ? 2 : 1) * width_px_, (resizes ? 2 : 1) * height_px_);
     scan->timestamp = mrpt::Clock::now();

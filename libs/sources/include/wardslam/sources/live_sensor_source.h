@@ -80,6 +80,7 @@ class LiveSensorSource : public ObservationSource {
   [[nodiscard]] Ending silence() const;
   void welcome(std::string frame);
   void pause(int failures) const;
+  void giveUp(const Ending& ending, int failures);
   void say(const std::string& sentence);
 
   // In the thread that calls next():
