@@ -36,7 +36,7 @@ struct MapChanges {
   std::map<odometry::PointId, odometry::PointId> fusedPoints;    ///< The first turned out to be the second.
   std::vector<odometry::PointId> removedPoints;
   std::vector<odometry::KeyframeId> removedKeyframes;  ///< With all that names them, and points nobody else saw.
-  std::optional<GraphContent> graph;  ///< In place of all sightings and points there are.
+  std::optional<GraphContent> graph;                   ///< In place of all sightings and points there are.
   std::vector<LoopEdge> loops;
   std::map<odometry::KeyframeId, mapping::SemanticCloudTile> cloud;  ///< A tile without points is removed.
   std::vector<mapping::MapObject> objects;
