@@ -70,7 +70,8 @@ TEST(RawlogSynth, SameArgumentsGiveTheSameBytes) {
   ASSERT_EQ(run("-o " + (folder.path() / "b/ward.rawlog").string() + size), 0);
   ASSERT_EQ(run("-o " + (folder.path() / "c/ward.rawlog").string() + size + " --seed 2"), 0);
   const auto content = contentOf(folder.path() / "a");
-  EXPECT_EQ(content.size(), 13U) << "rawlog, ground truth, 3 x 3 label images, classes, objects";
+  EXPECT_EQ(content.size(), 15U)
+      << "rawlog, ground truth, 3 x 3 label images, classes, objects, floor plan in two files";
   EXPECT_TRUE(content == contentOf(folder.path() / "b"));
   EXPECT_FALSE(content == contentOf(folder.path() / "c"));
 }
@@ -131,7 +132,7 @@ TEST_F(SynthesisedWard, ReplacesItsOwnOutput) {
   ASSERT_EQ(run(again), 0);
   EXPECT_EQ(readRawlog(file("ward.rawlog")).size(), 1U);
   const auto names = contentOf(file("."));
-  EXPECT_EQ(names.size(), 7U) << "nothing of the longer sequence is left, nothing partial";
+  EXPECT_EQ(names.size(), 9U) << "nothing of the longer sequence is left, nothing partial";
 }
 
 TEST_F(SynthesisedWard, DepthAgreesBetweenFramesByTheGroundTruth) {
