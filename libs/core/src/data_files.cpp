@@ -44,7 +44,7 @@ std::filesystem::path findDataFile(const std::filesystem::path& name, const std:
 std::filesystem::path findProgram(const std::filesystem::path& name) {
   if (name.has_parent_path()) return name;
   for (const char* folder : {WARDSLAM_BIN_DIR_FROM_LIBRARY, "../bin"}) {  // installed; build tree
-    const auto program = fromLibrary(folder) / name;
+    auto program = fromLibrary(folder) / name;
     if (std::filesystem::exists(program)) return program;
   }
   return name;

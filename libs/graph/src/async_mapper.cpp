@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "wardslam/core/thread_priority.h"
+
 namespace wardslam::graph {
 
 AsyncMapper::AsyncMapper(std::unique_ptr<Mapper> mapper) : mapper_(std::move(mapper)), worker_([this] { work(); }) {}
@@ -45,6 +47,7 @@ std::unique_ptr<Mapper> AsyncMapper::finish() {
 }
 
 void AsyncMapper::work() {
+  core::lowerThreadPriority();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });

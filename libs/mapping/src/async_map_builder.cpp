@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "wardslam/core/thread_priority.h"
+
 namespace wardslam::mapping {
 
 AsyncMapBuilder::AsyncMapBuilder(std::unique_ptr<MapBuilder> builder)
@@ -63,6 +65,7 @@ void AsyncMapBuilder::dropOne() {
 }
 
 void AsyncMapBuilder::run() {
+  core::lowerThreadPriority();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });

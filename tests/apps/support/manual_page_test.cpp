@@ -12,25 +12,25 @@ using ::testing::Not;
 
 class ManualPage : public ::testing::Test {
  protected:
-  [[nodiscard]] std::string page() const { return manualPage(app); }
+  [[nodiscard]] std::string page() const { return manualPage(app_); }
 
-  CLI::App app{"Weighs things", "scale"};
-  std::string text;
-  double number = 0.0;
+  CLI::App app_{"Weighs things", "scale"};
+  std::string text_;
+  double number_ = 0.0;
 };
 
 TEST_F(ManualPage, SaysWhatTheProgramIs) {
-  app.set_version_flag("--version", "scale 1.2");
+  app_.set_version_flag("--version", "scale 1.2");
   EXPECT_THAT(page(), HasSubstr(".TH SCALE 1 \"\" \"scale 1.2\""));
   EXPECT_THAT(page(), HasSubstr("scale \\- Weighs things\n"));
 }
 
 TEST_F(ManualPage, TellsOptionsWithValueAndRemarks) {
-  app.add_option("-o,--output", text, "where to")->required();
-  app.add_option("--unit", text, "of weight")->check(CLI::IsMember({"kg", "lb"}));
-  app.add_option("--zero", number, "of the scale")->default_val(1.5);
-  app.add_option("--every", number, "weigh again")->expected(0, 1);
-  app.add_flag("--quiet", "say nothing");
+  app_.add_option("-o,--output", text_, "where to")->required();
+  app_.add_option("--unit", text_, "of weight")->check(CLI::IsMember({"kg", "lb"}));
+  app_.add_option("--zero", number_, "of the scale")->default_val(1.5);
+  app_.add_option("--every", number_, "weigh again")->expected(0, 1);
+  app_.add_flag("--quiet", "say nothing");
   EXPECT_THAT(page(), HasSubstr(".B \\-o,\\-\\-output TEXT\nwhere to (required)\n"));
   EXPECT_THAT(page(), HasSubstr(".B \\-\\-unit kg|lb\nof weight\n"));
   EXPECT_THAT(page(), HasSubstr(".B \\-\\-zero FLOAT\nof the scale (default 1.5)\n"));
@@ -39,19 +39,19 @@ TEST_F(ManualPage, TellsOptionsWithValueAndRemarks) {
 }
 
 TEST_F(ManualPage, GoesThroughCommandsOfCommands) {
-  auto* inner = app.add_subcommand("tare", "Begin")->add_subcommand("now", "At once");
-  inner->add_option("THING", text, "what to weigh")->required();
+  auto* inner = app_.add_subcommand("tare", "Begin")->add_subcommand("now", "At once");
+  inner->add_option("THING", text_, "what to weigh")->required();
   EXPECT_THAT(page(), HasSubstr(".SS scale tare now\nAt once\n.P\n.B scale tare now\n[OPTIONS] THING\n"));
   EXPECT_THAT(page(), HasSubstr(".B THING TEXT\nwhat to weigh (required)\n"));
 }
 
 TEST_F(ManualPage, LeavesHiddenOptionsOut) {
-  app.add_flag("--debug", "for us")->group("");
+  app_.add_flag("--debug", "for us")->group("");
   EXPECT_THAT(page(), Not(HasSubstr("debug")));
 }
 
 TEST_F(ManualPage, TakesTextForText) {
-  app.add_flag("--dots", ".hidden \\ things");
+  app_.add_flag("--dots", ".hidden \\ things");
   EXPECT_THAT(page(), HasSubstr("\n\\&.hidden \\e things\n"));
 }
 
