@@ -122,11 +122,10 @@ TEST_F(RunCommand, ReadsARawlogToTheSamePoses) {
   const test::RoomRecording room(kImages);
   const fs::path rawlog = folder.path() / "room.rawlog";
   ASSERT_EQ(test::runProgram("tum2rawlog", {room.path(), "-o", rawlog}).exitCode, 0);
-  const Arguments repeatable = {"--filter", "off", "--deterministic"};
-  ASSERT_EQ(run(rawlog, repeatable).exitCode, 0);
+  ASSERT_EQ(run(rawlog, {"--filter", "off", "--deterministic"}).exitCode, 0);
   const auto fromRawlog = trajectory();
   ASSERT_THAT(fromRawlog, SizeIs(kImages));
-  ASSERT_EQ(run(room.path(), repeatable).exitCode, 0);
+  ASSERT_EQ(run(room.path(), {"--filter", "off", "--deterministic"}).exitCode, 0);
   EXPECT_EQ(trajectory(), fromRawlog);
 }
 
