@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/complaint.h"
 #include "support/hand_made_map.h"
 #include "wardslam/core/errors.h"
 
@@ -13,11 +14,7 @@ using testing::HasSubstr;
 class ObjectNameTest : public testing::Test {
  protected:
   std::string complaintAbout(const std::string& name) const {
-    try {
-      return "took it for object " + std::to_string(objectNamed(map_, name).id);
-    } catch (const core::InputError& error) {
-      return error.what();
-    }
+    return test::complaintOf([&] { return objectNamed(map_, name).id; });
   }
 
   SemanticMap map_ = test::makeWard();  // chairs are 1, 2, 4, 6 (gone), 7; the bed is 5, the backpack 3

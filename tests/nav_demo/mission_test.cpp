@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/complaint.h"
 #include "support/hand_made_map.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/mapping/object_name.h"
@@ -21,12 +22,7 @@ class MissionTest : public testing::Test {
   }
 
   std::string complaint() const {
-    try {
-      (void)planMission(map_, order_, {});
-      return "none";
-    } catch (const core::InputError& error) {
-      return error.what();
-    }
+    return test::complaintOf([&] { return planMission(map_, order_, {}); });
   }
   void forbid(const std::vector<Eigen::Vector2d>& polygon_m) {
     map_.zones.push_back({"store", polygon_m});

@@ -4,6 +4,7 @@
 #include <mrpt/config/CConfigFile.h>
 #include <mrpt/config/CConfigFileMemory.h>
 
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 
@@ -18,12 +19,7 @@ SlamOptions read(const std::string& ini) {
 }
 
 std::string complaintAbout(const std::string& ini) {
-  try {
-    (void)read(ini);
-    return "none";
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
+  return test::complaintOf([&] { return read(ini); });
 }
 
 TEST(IniOptions, AreThoseOfTheYamlByTheirPaths) {
