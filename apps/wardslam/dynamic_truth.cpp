@@ -2,11 +2,11 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/nearest_pixel.h"
 
 namespace wardslam::apps {
 namespace {
@@ -32,8 +32,7 @@ cv::Mat markedDynamic(const core::Frame& frame) {
 }
 
 bool isSet(const cv::Mat& mask, const cv::Point2f& raw_px) {
-  return mask.at<std::uint8_t>(std::clamp(cvRound(raw_px.y), 0, mask.rows - 1),
-                               std::clamp(cvRound(raw_px.x), 0, mask.cols - 1)) != 0;
+  return mask.at<std::uint8_t>(core::nearestPixel(raw_px, mask.size())) != 0;
 }
 
 }  // namespace

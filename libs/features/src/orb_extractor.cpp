@@ -1,9 +1,9 @@
 #include "wardslam/features/orb_extractor.h"
 
-#include <algorithm>
 #include <cmath>
 #include <opencv2/features2d.hpp>
 
+#include "wardslam/core/nearest_pixel.h"
 #include "wardslam/features/even_spread.h"
 
 namespace wardslam::features {
@@ -43,10 +43,8 @@ std::vector<cv::KeyPoint> chooseEvenly(const std::vector<cv::KeyPoint>& candidat
   return chosen;
 }
 
-float depthAt(const cv::Mat& depth_m, const cv::Point2f& pixel) {
-  const int x = std::clamp(cvRound(pixel.x), 0, depth_m.cols - 1);
-  const int y = std::clamp(cvRound(pixel.y), 0, depth_m.rows - 1);
-  return depth_m.at<float>(y, x);
+float depthAt(const cv::Mat& depth_m, const cv::Point2f& raw_px) {
+  return depth_m.at<float>(core::nearestPixel(raw_px, depth_m.size()));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "wardslam/core/annotation.h"
+#include "wardslam/core/nearest_pixel.h"
 
 namespace wardslam::filters {
 
@@ -16,8 +17,7 @@ namespace {
 bool isDynamic(const core::Keypoint& keypoint) { return keypoint.motion == core::Motion::Dynamic; }
 
 bool isIn(const cv::Mat& mask, const cv::Point2f& raw_px) {
-  return mask.at<std::uint8_t>(std::clamp(cvRound(raw_px.y), 0, mask.rows - 1),
-                               std::clamp(cvRound(raw_px.x), 0, mask.cols - 1)) != 0;
+  return mask.at<std::uint8_t>(core::nearestPixel(raw_px, mask.size())) != 0;
 }
 
 /// Where earlier filters marked key points; empty where they marked none.

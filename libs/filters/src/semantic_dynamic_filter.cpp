@@ -2,10 +2,10 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "wardslam/core/annotation.h"
+#include "wardslam/core/nearest_pixel.h"
 #include "wardslam/features/semantic_descriptor.h"
 #include "wardslam/filters/motion_annotation.h"
 #include "wardslam/knowledge/knowledge_graph.h"
@@ -38,10 +38,6 @@ cv::Mat widen(const cv::Mat& ids, int margin_px) {
 cv::Rect boxAround(const core::Instance& instance, int margin_px, const cv::Size& size) {
   const cv::Point margin(margin_px, margin_px);
   return cv::Rect(instance.box_px.tl() - margin, instance.box_px.br() + margin) & cv::Rect({}, size);
-}
-
-cv::Point pixelOf(const cv::Point2f& raw_px, const cv::Size& size) {
-  return {std::clamp(cvRound(raw_px.x), 0, size.width - 1), std::clamp(cvRound(raw_px.y), 0, size.height - 1)};
 }
 
 void check(const SemanticDynamicOptions& options, const core::ConfigNode& parameters) {
@@ -121,7 +117,7 @@ void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat&
   dynamic |= moves;
   core::addMayMove(frame, dynamic | suspected);
   for (core::Keypoint& keypoint : frame.features.keypoints) {
-    const cv::Point pixel = pixelOf(keypoint.raw_px, dynamic.size());
+    const cv::Point pixel = core::nearestPixel(keypoint.raw_px, dynamic.size());
     if (dynamic.at<std::uint8_t>(pixel) != 0) keypoint.motion = core::Motion::Dynamic;
     keypoint.staticProbability = staticProbability.at<float>(pixel);
   }

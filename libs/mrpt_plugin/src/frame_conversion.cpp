@@ -2,11 +2,11 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include <algorithm>
 #include <array>
 
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/core/nearest_pixel.h"
 #include "wardslam/features/semantic_descriptor.h"
 
 namespace wardslam::mrpt_plugin {
@@ -15,9 +15,8 @@ namespace {
 KeypointState stateOf(const core::Keypoint& keypoint, const cv::Mat& labelBits) {
   if (keypoint.motion == core::Motion::Dynamic) return KeypointState::Dynamic;
   if (labelBits.empty()) return KeypointState::Static;
-  const int x = std::clamp(cvRound(keypoint.raw_px.x), 0, labelBits.cols - 1);
-  const int y = std::clamp(cvRound(keypoint.raw_px.y), 0, labelBits.rows - 1);
-  const bool isMovable = (labelBits.at<std::uint8_t>(y, x) & core::bitOf(core::PixelLabel::Movable)) != 0;
+  const auto bits = labelBits.at<std::uint8_t>(core::nearestPixel(keypoint.raw_px, labelBits.size()));
+  const bool isMovable = (bits & core::bitOf(core::PixelLabel::Movable)) != 0;
   return isMovable ? KeypointState::Movable : KeypointState::Static;
 }
 

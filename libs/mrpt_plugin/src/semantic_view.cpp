@@ -6,10 +6,10 @@
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/opengl/CText.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/core/nearest_pixel.h"
 
 namespace wardslam::mrpt_plugin {
 namespace {
@@ -33,9 +33,7 @@ mrpt::img::TColor colorOf(KeypointState state) {
 
 std::uint16_t instanceAt(const cv::Mat& instanceIds, const cv::Point2f& raw_px) {
   if (instanceIds.empty()) return 0;
-  const int x = std::clamp(cvRound(raw_px.x), 0, instanceIds.cols - 1);
-  const int y = std::clamp(cvRound(raw_px.y), 0, instanceIds.rows - 1);
-  return instanceIds.at<std::uint16_t>(y, x);
+  return instanceIds.at<std::uint16_t>(core::nearestPixel(raw_px, instanceIds.size()));
 }
 
 mrpt::opengl::CText::Ptr nameAt(const std::string& name, const Eigen::Vector3d& p_base_m) {
