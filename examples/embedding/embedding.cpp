@@ -9,7 +9,7 @@
 #include <wardslam/mapping/drivable_floor.h>
 #include <wardslam/mapping/query.h>
 #include <wardslam/navigation/obstacles.h>
-#include <wardslam/navigation/route.h>
+#include <wardslam/query/route.h>
 #include <wardslam/pipeline/ini_options.h>
 #include <wardslam/pipeline/slam_system.h>
 #include <wardslam/sources/observation_source.h>
@@ -57,7 +57,7 @@ void askTheMap(const mapping::SemanticMap& map, const Robot& robot) {
   const query::DrivableFloor floor(map.floorPlan, {0.25, {}, false});
   const auto spot = floor.spotBeside(*nearest->object, 0.6);
   if (!spot) return;
-  const auto route = navigation::planRoute(floor, robot.place_m(), spot->p_map_m);
+  const auto route = query::planRoute(floor, robot.place_m(), spot->p_map_m);
   std::cout << "a spot beside it: " << spot->p_map_m.transpose() << (route ? "" : ", no way leads there") << "\n";
 }
 
