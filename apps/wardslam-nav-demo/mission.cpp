@@ -5,8 +5,8 @@
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
-#include "wardslam/query/route.h"
 #include "wardslam/query/object_name.h"
+#include "wardslam/query/route.h"
 
 namespace wardslam::nav_demo {
 namespace {

@@ -66,15 +66,14 @@ nlohmann::ordered_json toJson(const std::vector<RunRecord>& runs, const Mission&
   const auto number = [](double value) {
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
   };
-  nlohmann::ordered_json json = {
-      {"target", mission.name},
-      {"object_id", mission.object->id},
-      {"spot", {mission.spot.p_map_m.x(), mission.spot.p_map_m.y(), mission.spot.yaw_rad}},
-      {"planned_m", query::lengthOf_m(mission.T_map_start.translation(), mission.route_m)},
-      {"truth", truth.source},
-      {"map_error_m", truth.mapError_m},
-      {"good_runs", countOf(runs, [](const auto& run) { return run.isGood(); })},
-      {"runs", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json = {{"target", mission.name},
+                                 {"object_id", mission.object->id},
+                                 {"spot", {mission.spot.p_map_m.x(), mission.spot.p_map_m.y(), mission.spot.yaw_rad}},
+                                 {"planned_m", query::lengthOf_m(mission.T_map_start.translation(), mission.route_m)},
+                                 {"truth", truth.source},
+                                 {"map_error_m", truth.mapError_m},
+                                 {"good_runs", countOf(runs, [](const auto& run) { return run.isGood(); })},
+                                 {"runs", nlohmann::ordered_json::array()}};
   for (const auto& run : runs) {
     const Verdict& verdict = run.verdict;
     json["runs"].push_back({{"seed", run.seed},

@@ -6,12 +6,12 @@
 #include <mrpt/config/CConfigFile.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <wardslam/core/mrpt_compat.h>
-#include <wardslam/mapping/drivable_floor.h>
-#include <wardslam/mapping/query.h>
 #include <wardslam/navigation/obstacles.h>
-#include <wardslam/query/route.h>
 #include <wardslam/pipeline/ini_options.h>
 #include <wardslam/pipeline/slam_system.h>
+#include <wardslam/query/drivable_floor.h>
+#include <wardslam/query/map_query.h>
+#include <wardslam/query/route.h>
 #include <wardslam/sources/observation_source.h>
 
 #include <exception>
@@ -48,7 +48,7 @@ bool senseObstacles(const navigation::Obstacles& obstacles, const Eigen::Isometr
 }
 
 void askTheMap(const mapping::SemanticMap& map, const Robot& robot) {
-  const query::Query query(map);
+  const query::MapQuery query(map);
   std::cout << "objects: " << query.objects().size() << "\n";
   const auto nearest = query.nearest(robot.place_m(), {});
   if (!nearest) return;
