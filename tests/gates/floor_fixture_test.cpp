@@ -15,7 +15,7 @@ fs::path floorFolder() { return fs::path(WARDSLAM_GATES_DIR) / "floor"; }
 
 namespace {
 
-constexpr std::size_t kImages = 264;
+constexpr std::size_t kImages = 330;
 
 /// What has to be so for the figures of the gates to mean something.
 void expectWholeRoundWithLoop(const Run& run) {
@@ -36,7 +36,7 @@ TEST(FloorFixture, IsRendered) {
   fs::remove_all(floorFolder());
   fs::create_directories(floorFolder());
   // 6 s longer than a round, so that the map grows on after its loop is closed.
-  render(floorFolder() / "floor.rawlog", {"--scene", "floor", "--no-people", "--rate", "4", "--seconds", "66"});
+  render(floorFolder() / "floor.rawlog", {"--scene", "floor", "--no-people", "--rate", "5", "--seconds", "66"});
   EXPECT_EQ(floorRendering().truth().size(), kImages);
 }
 

@@ -12,13 +12,14 @@ constexpr double kMost_m = 0.001;
 
 enum class Mode { Deterministic, Threads };
 
-class Loop : public ::testing::TestWithParam<Mode> {
- protected:
-  static Run run() { return GetParam() == Mode::Deterministic ? floorRun() : floorRunWithThreads(); }
-};
+class Loop : public ::testing::TestWithParam<Mode> {};
+
+Disagreement disagreementIn(Mode mode) {
+  return disagreementOf(mode == Mode::Deterministic ? floorRun() : floorRunWithThreads());
+}
 
 TEST_P(Loop, LeavesThingsInTheirCloud) {
-  const Disagreement found = disagreementOf(run());
+  const Disagreement found = disagreementIn(GetParam());
   EXPECT_GT(found.keyframes, 50U);
   EXPECT_GT(found.cloudPoints, 10000U);
   EXPECT_GT(found.objects, 5U);
@@ -26,7 +27,7 @@ TEST_P(Loop, LeavesThingsInTheirCloud) {
 }
 
 TEST_P(Loop, MovesAllAsTheTrajectory) {
-  const auto found = figuresOf([] { return disagreementOf(run()); });
+  const auto found = figuresOf([] { return disagreementIn(GetParam()); });
   if (!found || found->keyframes == 0 || found->objects == 0) GTEST_SKIP() << "there is nothing to compare";
   EXPECT_LE(found->keyframe_m, kMost_m);
   EXPECT_LE(found->cloud_m, kMost_m);
