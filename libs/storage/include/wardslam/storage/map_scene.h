@@ -2,11 +2,8 @@
 
 #include <memory>
 
+#include "wardslam/core/mrpt_compat.h"
 #include "wardslam/mapping/semantic_map.h"
-
-namespace mrpt::opengl {
-class COpenGLScene;
-}
 
 namespace wardslam::storage {
 
