@@ -18,7 +18,7 @@ MRPT_COMPAT = re.compile(r"libs/core/include/wardslam/core/mrpt_(\w+_)?compat\.h
 MRPT_VERSION = re.compile(r"MRPT_VERSION|__has_include\s*\(\s*[<\"]mrpt/|\bDEFINE_VIRTUAL_MRPT_OBJECT")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROOM_TARGET = re.compile(r"\bwardslam(?:::|_)(\w+)")
-PRINTS_OR_EXITS = re.compile(r"\bstd::(cout|cerr|clog)\b|(?<![\w.>])(printf|puts|exit|_exit|quick_exit|abort)\s*\(")
+PRINTS_OR_EXITS = re.compile(r"\bstd::(cout|cerr|clog)\b(?!\.rdbuf\()|(?<![\w.>])(printf|puts|exit|_exit|quick_exit|abort)\s*\(")
 COMMENT_OR_STRING = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"(?P<tag>\w*)\(.*?\)(?P=tag)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
 

@@ -88,10 +88,13 @@ class LayoutTest(unittest.TestCase):
                            "libs/core/include/wardslam/core/a.h:1: a header needs #pragma once")
 
     def test_printing_and_exiting(self):
-        for statement in ("std::cout << 1;", "std::cerr << 1;", "exit(1);", "std::exit(1);", 'printf("x");'):
+        for statement in ("std::cout << 1;", "std::cerr << 1;", "out(std::cerr);", "exit(1);", "std::exit(1);", 'printf("x");'):
             with self.subTest(statement):
                 self.assert_single({"libs/core/src/a.cpp": f"void f() {{\n  {statement}\n}}\n"},
                                    "libs/core/src/a.cpp:2: a room neither prints nor ends the program")
+
+    def test_holding_back_what_a_library_prints_is_allowed(self):
+        self.assertEqual([], self.violations({"libs/core/src/a.cpp": "void f(B* b) { std::cerr.rdbuf(b); }\n"}))
 
     def test_text_and_comments_about_printing_are_allowed(self):
         code = '// std::cout\nconst char* kHelp = "exit(1) std::cerr";\nvoid f(P& p) { p.exit(1); onExit(2); }\n'
