@@ -1,24 +1,24 @@
 #pragma once
 
-#include <mrpt/opengl/TLightParameters.h>
-
-#include "wardslam/core/mrpt_compat.h"
+#include <type_traits>
 
 namespace wardslam::core {
 
-/// White light that shines on no surface in particular (`ambient`) and from the light's direction (`diffuse`), 0..1;
-/// nothing shines back. Colours before MRPT 2.14, factors of one colour from there on.
-inline void setWhiteLight(mrpt::opengl::TLightParameters& light, float ambient, float diffuse) {
-#if MRPT_VERSION >= WARDSLAM_MRPT_VERSION(2, 14, 0)
-  light.color = {1.0F, 1.0F, 1.0F};
-  light.ambient = ambient;
-  light.diffuse = diffuse;
-  light.specular = 0.0F;
-#else
-  light.ambient = {ambient, ambient, ambient, 1.0F};
-  light.diffuse = {diffuse, diffuse, diffuse, 1.0F};
-  light.specular = {0.0F, 0.0F, 0.0F, 1.0F};
-#endif
+/// White light that shines on all surfaces alike (`ambient`) and from where the light is (`diffuse`), 0..1; nothing
+/// gleams. Light: mrpt::opengl::TLightParameters, which holds a colour for each in MRPT 2.5 (Debian 12), one colour and
+/// a factor for each in 2.14 (Debian 13).
+template <class Light>
+void setWhiteLight(Light& light, float ambient, float diffuse) {
+  if constexpr (std::is_floating_point_v<decltype(Light::ambient)>) {
+    light.color = {1.0F, 1.0F, 1.0F};
+    light.ambient = ambient;
+    light.diffuse = diffuse;
+    light.specular = 0.0F;
+  } else {
+    light.ambient = {ambient, ambient, ambient, 1.0F};
+    light.diffuse = {diffuse, diffuse, diffuse, 1.0F};
+    light.specular = {0.0F, 0.0F, 0.0F, 1.0F};
+  }
 }
 
 }  // namespace wardslam::core
