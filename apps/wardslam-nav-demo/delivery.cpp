@@ -74,7 +74,7 @@ bool Delivery::turnTo(double yaw_rad, double tolerance_rad) {
 
 /// To the spot, or where somebody stands there, to another.
 std::optional<std::vector<Eigen::Vector2d>> Delivery::routeOver(const mapping::FloorPlan& plan) {
-  const mapping::DrivableFloor floor(plan, mission_.rules);
+  const query::DrivableFloor floor(plan, mission_.rules);
   const Eigen::Vector2d here_m = robot_.T_map_robot().translation();
   if (auto route = navigation::planRoute(floor, here_m, mission_.spot.p_map_m)) {
     spot_ = mission_.spot;

@@ -39,7 +39,7 @@ Walker::Walker(const WalkingGround& ground, const WalkerHabits& habits, const Ei
   pace_mps_ = uniform(random_, habits.slowest_mps, habits.fastest_mps);
 }
 
-void Walker::choosePlace(const mapping::DrivableFloor& floor) {
+void Walker::choosePlace(const query::DrivableFloor& floor) {
   way_m_.clear();
   wasAttracted_ = !wasAttracted_ && !ground_.attractions_m.empty();
   for (int i = 0; i < kTries && way_m_.empty(); ++i) {
@@ -54,7 +54,7 @@ void Walker::choosePlace(const mapping::DrivableFloor& floor) {
 }
 
 /// The ground without where those stand who are in the way.
-mapping::DrivableFloor Walker::floorAround(const std::vector<Disc>& others) const {
+query::DrivableFloor Walker::floorAround(const std::vector<Disc>& others) const {
   const auto& all = ground_.floor->plan();
   mapping::FloorPlan plan{all.cells.clone(), all.resolution_m, all.origin_m};
   for (const Disc& other : others) {

@@ -122,7 +122,7 @@ void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult
 
 void RunFolder::finish(const RunSummary& summary) {
   live_.finish();
-  storage::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
+  exchange::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
   for (const auto& pose : summary.slam.trajectory()) corrected.write(pose);
   corrected.finish();
   if (summary.slam.scene() != nullptr) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());

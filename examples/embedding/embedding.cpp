@@ -48,13 +48,13 @@ bool senseObstacles(const navigation::Obstacles& obstacles, const Eigen::Isometr
 }
 
 void askTheMap(const mapping::SemanticMap& map, const Robot& robot) {
-  const mapping::Query query(map);
+  const query::Query query(map);
   std::cout << "objects: " << query.objects().size() << "\n";
   const auto nearest = query.nearest(robot.place_m(), {});
   if (!nearest) return;
   std::cout << "nearest: " << map.labels.name(nearest->object->classId) << ", " << nearest->distance_m << " m\n";
 
-  const mapping::DrivableFloor floor(map.floorPlan, {0.25, {}, false});
+  const query::DrivableFloor floor(map.floorPlan, {0.25, {}, false});
   const auto spot = floor.spotBeside(*nearest->object, 0.6);
   if (!spot) return;
   const auto route = navigation::planRoute(floor, robot.place_m(), spot->p_map_m);

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "image_names.h"
+#include "recording/rawlog_writer.h"
 #include "support/progress.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/sources/external_images.h"
 #include "wardslam/sources/input_damage.h"
 #include "wardslam/sources/rawlog_reader.h"
-#include "wardslam/sources/rawlog_writer.h"
 
 namespace wardslam::rawlog_cut {
 namespace {
@@ -163,7 +163,7 @@ class Cut {
   sources::RawlogReader reader_;
   Judge judge_;
   Images images_;
-  sources::RawlogWriter writer_;
+  recording::RawlogWriter writer_;
   CutReport report_;
 };
 

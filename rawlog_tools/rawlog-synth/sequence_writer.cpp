@@ -10,12 +10,12 @@
 #include <sstream>
 #include <utility>
 
+#include "recording/rawlog_writer.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
-#include "wardslam/sources/rawlog_writer.h"
-#include "wardslam/storage/map_export.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "wardslam/exchange/map_export.h"
+#include "wardslam/exchange/tum_trajectory.h"
 
 namespace wardslam::synth {
 namespace fs = std::filesystem;
@@ -158,7 +158,7 @@ struct SequenceWriter::Impl {
         stereoBaseline_m(sequenceCamera.stereoBaseline_m),
         labels(std::move(allLabels)),
         classOf(classTable(labels)),
-        observations(rawlog, sources::ImageCoding::Jpeg),
+        observations(rawlog, recording::ImageCoding::Jpeg),
         labelled(prepareLabelsFolder(labelsFolder(rawlog))),
         groundTruth(partial(labelled) / kGroundTruth) {}
 
@@ -174,9 +174,9 @@ struct SequenceWriter::Impl {
   std::optional<double> stereoBaseline_m;
   std::vector<Label> labels;
   std::vector<core::ClassId> classOf;
-  sources::RawlogWriter observations;
+  recording::RawlogWriter observations;
   fs::path labelled;
-  storage::TumTrajectoryWriter groundTruth;
+  exchange::TumTrajectoryWriter groundTruth;
 };
 
 SequenceWriter::SequenceWriter(const fs::path& rawlog, const SequenceCamera& camera, std::vector<Label> labels)
@@ -205,7 +205,7 @@ void SequenceWriter::finish(const std::vector<StaticObject>& objects, const mapp
   core::writeFileAtomically(folder / "objects.csv", objectsText(objects));
   mapping::SemanticMap map;
   map.floorPlan = floor;
-  storage::exportRosMap(map, folder / "floor.yaml");
+  exchange::exportRosMap(map, folder / "floor.yaml");
   impl_->groundTruth.finish();
   giveName(folder / kGroundTruth, groundTruthFile(impl_->rawlog));
   std::error_code error;

@@ -5,14 +5,14 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "dynamic_test.h"
+#include "motion_annotation.h"
+#include "semantic_dynamic_filter.h"
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/features/semantic_descriptor.h"
-#include "wardslam/filters/dynamic_test.h"
-#include "wardslam/filters/motion_annotation.h"
-#include "wardslam/filters/semantic_dynamic_filter.h"
 #include "wardslam/knowledge/knowledge_graph.h"
-#include "wardslam/segmentation/async_segmenter.h"
+#include "wardslam/masks/async_segmenter.h"
 
 namespace wardslam {
 namespace {
@@ -129,7 +129,7 @@ class InstantSegmenter : public segmentation::Segmenter {
 /// Everything the filter adds to a frame once the masks are there: margin, test, annotation.
 void wholeFilter(benchmark::State& state) {
   filters::SemanticDynamicFilter filter;
-  filter.initialize({}, {std::make_shared<segmentation::AsyncSegmenter>(std::make_unique<InstantSegmenter>()),
+  filter.initialize({}, {std::make_shared<masks::AsyncSegmenter>(std::make_unique<InstantSegmenter>()),
                          std::make_shared<knowledge::KnowledgeGraph>(hospital())});
   core::Frame frame;
   frame.color_bgr = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(0));

@@ -1,9 +1,9 @@
-#include "wardslam/filters/geometric_motion_filter.h"
+#include "geometric_motion_filter.h"
 
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include "filters/moving_scene.h"
+#include "change/moving_scene.h"
 #include "support/complaint.h"
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/errors.h"
@@ -12,16 +12,16 @@
 namespace wardslam::filters {
 namespace {
 
+using change::test::kFrameTime_s;
+using change::test::Scene;
 using core::bitOf;
 using core::Motion;
 using core::PixelLabel;
-using test::kFrameTime_s;
-using test::Scene;
 using testing::HasSubstr;
 
 class GeometricMotionFilterTest : public testing::Test {
  protected:
-  GeometricMotionFilterTest() { scene_.add(test::person()); }
+  GeometricMotionFilterTest() { scene_.add(change::test::person()); }
 
   void configure(const std::string& parameters) { filter_.initialize(core::ConfigNode::fromText(parameters), {}); }
 
@@ -30,10 +30,11 @@ class GeometricMotionFilterTest : public testing::Test {
     core::Frame frame;
     for (int i = 0; i < images; ++i) {
       const double stamp_s = i * kFrameTime_s;
-      frame = scene_.frame(stamp_s, test::looking({0, 0, 0}, turn_rad_s * (stamp_s - images * kFrameTime_s / 2)));
+      frame =
+          scene_.frame(stamp_s, change::test::looking({0, 0, 0}, turn_rad_s * (stamp_s - images * kFrameTime_s / 2)));
       frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
       frame.observation->hasRangeImage = true;
-      frame.observation->rangeImage_setSize(test::kHeight, test::kWidth);
+      frame.observation->rangeImage_setSize(change::test::kHeight, change::test::kWidth);
       if (prepare_) prepare_(frame);
       filter_.begin(frame);
       filter_.apply(frame);
@@ -102,7 +103,7 @@ TEST_F(GeometricMotionFilterTest, AnnotatesThePixels) {
 TEST_F(GeometricMotionFilterTest, AddsToWhatEarlierFiltersMarked) {
   configure("{}");
   prepare_ = [](core::Frame& frame) {
-    cv::Mat bits(test::kHeight, test::kWidth, CV_8UC1, cv::Scalar(0));
+    cv::Mat bits(change::test::kHeight, change::test::kWidth, CV_8UC1, cv::Scalar(0));
     bits(cv::Rect(600, 0, 40, 480)).setTo(bitOf(PixelLabel::Person) | bitOf(PixelLabel::Dynamic));
     core::annotate(*frame.observation, bits);
     for (auto& keypoint : frame.features.keypoints) {
@@ -147,7 +148,7 @@ TEST_F(GeometricMotionFilterTest, WorksWithoutAnObservationOrWithOneOfAnotherSiz
   prepare_ = [](core::Frame& frame) { frame.observation = nullptr; };
   EXPECT_GT(markedShares(walk()).first, 0.9);
 
-  scene_.board(0) = test::person();
+  scene_.board(0) = change::test::person();
   GeometricMotionFilter().initialize({}, {});
   prepare_ = [](core::Frame& frame) { frame.observation->rangeImage_setSize(10, 10); };
   const core::Frame frame = walk();

@@ -1,9 +1,9 @@
-#include "wardslam/filters/semantic_dynamic_filter.h"
+#include "semantic_dynamic_filter.h"
 
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include "filters/depth_scene.h"
+#include "change/depth_scene.h"
 #include "filters/ward_fixture.h"
 #include "support/complaint.h"
 #include "wardslam/core/annotation.h"
@@ -212,9 +212,9 @@ class ObservedRule : public SemanticDynamicFilterTest {
                                   keypointAt(static_cast<float>(result_->segmentation.instances[0].box_px.x), middle)};
       filter_.apply(frame);
       filter_.end(frame, Eigen::Isometry3d::Identity());
-      time_s_ += test::kFrameTime_s;
-      scene_.thing(0).p_map_m.x() += speed * test::kFrameTime_s;
-      scene_.thing(1).p_map_m.x() += speed * test::kFrameTime_s;
+      time_s_ += change::test::kFrameTime_s;
+      scene_.thing(0).p_map_m.x() += speed * change::test::kFrameTime_s;
+      scene_.thing(1).p_map_m.x() += speed * change::test::kFrameTime_s;
     }
     return frame;
   }
@@ -225,7 +225,7 @@ class ObservedRule : public SemanticDynamicFilterTest {
     return result;
   }
 
-  test::DepthScene scene_;
+  change::test::DepthScene scene_;
   double time_s_ = 1.0;
 };
 

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "cli_test_support.h"
+#include "recording/rawlog_writer.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/sources/observation_source.h"
-#include "wardslam/sources/rawlog_writer.h"
-#include "wardslam/storage/tum_trajectory.h"
 
 /// Long ways, loops and kidnapping, on a small rendering of a floor that is made once.
 namespace wardslam {
@@ -48,7 +48,7 @@ class Floor : public ::testing::Test {
   static void TearDownTestSuite() { folder_.reset(); }
 
   static fs::path recording() { return folder_->path() / "floor.rawlog"; }
-  static core::Trajectory fullTruth() { return storage::readTumTrajectory(folder_->path() / "floor.groundtruth.txt"); }
+  static core::Trajectory fullTruth() { return exchange::readTumTrajectory(folder_->path() / "floor.groundtruth.txt"); }
 
   static Outcome run(const fs::path& rawlog) {
     const fs::path out = folder_->path() / (rawlog.stem().string() + "_out");
@@ -57,7 +57,7 @@ class Floor : public ::testing::Test {
                                       "--filter", "off", "--deterministic", "--out", out.string()});
     EXPECT_EQ(result.exitCode, 0) << result.err;
     return {nlohmann::json::parse(test::readText(out / "summary.json")),
-            storage::readTumTrajectory(out / "trajectory.txt")};
+            exchange::readTumTrajectory(out / "trajectory.txt")};
   }
 
   /// A recording of the frames [begin, end) of the floor, piece after piece, as if the camera had been carried from
@@ -67,7 +67,7 @@ class Floor : public ::testing::Test {
     std::vector<std::shared_ptr<mrpt::obs::CObservation3DRangeScan>> frames;
     const auto source = sources::openSource(recording(), {});
     while (auto frame = source->next()) frames.push_back(frame);
-    sources::RawlogWriter writer(rawlog, sources::ImageCoding::Jpeg);
+    recording::RawlogWriter writer(rawlog, recording::ImageCoding::Jpeg);
     Truth cutTruth;
     double stamp_s = kFirst_s;
     for (const auto& [begin, end] : pieces) {

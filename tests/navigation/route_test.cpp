@@ -21,7 +21,7 @@ mapping::FloorPlan makeRooms(double door_m) {
   return plan;
 }
 
-mapping::DrivableFloor drivable(const mapping::FloorPlan& plan, const std::vector<mapping::Zone>& forbidden = {}) {
+query::DrivableFloor drivable(const mapping::FloorPlan& plan, const std::vector<mapping::Zone>& forbidden = {}) {
   return {plan, {kRadius_m, forbidden, false}};
 }
 

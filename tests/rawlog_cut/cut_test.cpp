@@ -8,12 +8,12 @@
 
 #include <functional>
 
+#include "recording/rawlog_writer.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/sources/external_images.h"
 #include "wardslam/sources/rawlog_reader.h"
-#include "wardslam/sources/rawlog_writer.h"
 
 namespace wardslam::rawlog_cut {
 namespace {
@@ -48,7 +48,7 @@ class RawlogCut : public ::testing::Test {
  protected:
   /// A comment, then a reading of the wheels and an image every second.
   void record(int seconds = 5) const {
-    sources::RawlogWriter writer(input);
+    recording::RawlogWriter writer(input);
     mrpt::obs::CObservationComment comment;
     comment.text = "a ward";
     writer.write(comment);
@@ -120,7 +120,7 @@ TEST_F(RawlogCut, ReachesIntoSensoryFrames) {
   mrpt::obs::CSensoryFrame frame;
   frame.insert(odometry(kBegin_s));
   frame.insert(image(kBegin_s));
-  sources::RawlogWriter writer(input);
+  recording::RawlogWriter writer(input);
   writer.write(frame);
   writer.commit();
   EXPECT_THAT(cutWithout("camera").written.observations, ElementsAre(Pair("wheels", 1)));
@@ -132,7 +132,7 @@ TEST_F(RawlogCut, ReachesIntoSensoryFrames) {
 
 TEST_F(RawlogCut, TakesAlongTheExternalImagesThatAreLeftAndNoOthers) {
   fs::create_directory(folder.path() / "in_Images");
-  sources::RawlogWriter writer(input);
+  recording::RawlogWriter writer(input);
   for (int i = 0; i < 3; ++i) {
     const std::string name = "camera_" + std::to_string(i) + ".png";
     folder.write("in_Images/" + name, std::to_string(i));
@@ -192,7 +192,7 @@ TEST_F(RawlogCut, CutsTheSoundPartOfARawlogThatIsCutOff) {
 
 TEST_F(RawlogCut, RefusesWhatIsBehindAClassItDoesNotKnow) {
   record(1);
-  sources::RawlogWriter writer(folder.path() / "more.rawlog");
+  recording::RawlogWriter writer(folder.path() / "more.rawlog");
   for (const auto& object : read(input)) writer.write(object);
   // "CObservationOdometry" of somebody else's.
   auto foreign = read(input).at(1);

@@ -1,4 +1,4 @@
-#include "wardslam/filters/geometric_motion_filter.h"
+#include "geometric_motion_filter.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
@@ -91,7 +91,7 @@ void GeometricMotionFilter::apply(core::Frame& frame) {
   following_.get();
   motion_->judge(frame, markedPlaces(frame));
   if (motion_->isAtLoss()) ++frame.events["filters.motion_unknown"];
-  const cv::Mat found = movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
+  const cv::Mat found = change::movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
   motion_->distrust(found);
   const cv::Mat moving = unexplained(found, markedPixels(frame));
 

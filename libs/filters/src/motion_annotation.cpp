@@ -1,4 +1,4 @@
-#include "wardslam/filters/motion_annotation.h"
+#include "motion_annotation.h"
 
 #include "wardslam/core/annotation.h"
 

@@ -1,15 +1,15 @@
-#include "wardslam/filters/semantic_dynamic_filter.h"
+#include "semantic_dynamic_filter.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <opencv2/imgproc.hpp>
 
+#include "motion_annotation.h"
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/nearest_pixel.h"
 #include "wardslam/features/semantic_descriptor.h"
-#include "wardslam/filters/motion_annotation.h"
 #include "wardslam/knowledge/knowledge_graph.h"
-#include "wardslam/segmentation/async_segmenter.h"
+#include "wardslam/masks/async_segmenter.h"
 
 namespace wardslam::filters {
 
@@ -60,7 +60,7 @@ void SemanticDynamicFilter::initialize(const core::ConfigNode& parameters, const
     parameters.child("mode").fail(
         "in a deterministic run masks cannot come just when they are ready; give latency_frames (3, say) or mode wait");
   }
-  masks_ = makeMaskFeed(options_.masks, context.segmenter);
+  masks_ = masks::makeMaskFeed(options_.masks, context.segmenter);
   rules_.emplace(*context.knowledge, context.segmenter->labelSpace());
   test_.emplace(*rules_, options_.test);
   judge_.emplace(*rules_, options_.judge);

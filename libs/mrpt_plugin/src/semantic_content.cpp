@@ -7,12 +7,12 @@
 namespace wardslam::mrpt_plugin {
 namespace {
 
+using core::BlobError;
+using core::BlobKind;
+using core::ByteReader;
+using core::ByteWriter;
 using core::Instance;
 using core::Keypoint;
-using storage::BlobError;
-using storage::BlobKind;
-using storage::ByteReader;
-using storage::ByteWriter;
 
 constexpr std::uint8_t kLayoutVersion = 1;
 constexpr int kFastest = 1;  // of zstd's levels: these images are of few, large areas
@@ -167,7 +167,7 @@ void getFeatures(ByteReader& in, CObservationSemanticRGBD& observation) {
 
 }  // namespace
 
-storage::Bytes encodeContent(const CObservationSemanticRGBD& observation) {
+core::Bytes encodeContent(const CObservationSemanticRGBD& observation) {
   if (const char* why = contradictionIn(observation))
     throw std::logic_error(std::string("CObservationSemanticRGBD: ") + why);
   ByteWriter out;
@@ -183,11 +183,11 @@ storage::Bytes encodeContent(const CObservationSemanticRGBD& observation) {
   putClasses(out, observation.classes);
   out.put(static_cast<std::uint8_t>(observation.descriptorSide));
   putFeatures(out, observation);
-  return storage::pack(BlobKind::Observation, kLayoutVersion, out.bytes(), kFastest);
+  return core::pack(BlobKind::Observation, kLayoutVersion, out.bytes(), kFastest);
 }
 
-void decodeContent(const storage::Bytes& blob, CObservationSemanticRGBD& observation) {
-  const storage::Bytes content = storage::unpack(BlobKind::Observation, kLayoutVersion, blob);
+void decodeContent(const core::Bytes& blob, CObservationSemanticRGBD& observation) {
+  const core::Bytes content = core::unpack(BlobKind::Observation, kLayoutVersion, blob);
   ByteReader in(content);
   observation.cameraPose = getPose(in);
   observation.camera = get<core::CameraModel>(in);

@@ -5,7 +5,7 @@
 
 #include <deque>
 
-#include "wardslam/storage/occupancy_grid.h"
+#include "wardslam/exchange/occupancy_grid.h"
 
 namespace wardslam::navigation {
 namespace {
@@ -14,7 +14,7 @@ mrpt::poses::CPose2D toPose(const Eigen::Vector2d& p_m) { return {p_m.x(), p_m.y
 
 }  // namespace
 
-std::optional<std::vector<Eigen::Vector2d>> planRoute(const mapping::DrivableFloor& floor,
+std::optional<std::vector<Eigen::Vector2d>> planRoute(const query::DrivableFloor& floor,
                                                       const Eigen::Vector2d& from_map_m,
                                                       const Eigen::Vector2d& to_map_m, double step_m, double reach_m) {
   const auto from = floor.nearestFree(from_map_m, reach_m);
@@ -26,7 +26,7 @@ std::optional<std::vector<Eigen::Vector2d>> planRoute(const mapping::DrivableFlo
   planner.minStepInReturnedPath = static_cast<float>(step_m);
   std::deque<mrpt::math::TPoint2D> path;
   bool notFound = false;
-  planner.computePath(storage::toOccupancyGrid(floor.plan()), toPose(*from), toPose(*to), path, notFound);
+  planner.computePath(exchange::toOccupancyGrid(floor.plan()), toPose(*from), toPose(*to), path, notFound);
   if (notFound) return std::nullopt;
 
   std::vector<Eigen::Vector2d> route_m;

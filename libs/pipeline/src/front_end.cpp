@@ -4,7 +4,7 @@
 
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/data_files.h"
-#include "wardslam/segmentation/async_segmenter.h"
+#include "wardslam/masks/async_segmenter.h"
 
 namespace wardslam::pipeline {
 namespace {
@@ -15,13 +15,14 @@ std::shared_ptr<const knowledge::KnowledgeGraph> readKnowledge(const SlamOptions
 }
 
 /// Refines the contours of what moves by itself: its key points must go, those beside it should stay.
-std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentation::SegmentationOptions& options,
-                                                                 const knowledge::KnowledgeGraph& knowledge) {
+std::shared_ptr<masks::AsyncSegmenter> makeAsyncSegmenter(const SegmentationSection& options,
+                                                          const knowledge::KnowledgeGraph& knowledge) {
   auto segmenter = segmentation::makeSegmenter(options);
   if (!segmenter) return nullptr;
   const knowledge::MotionRules rules(knowledge, segmenter->labelSpace());
-  return std::make_shared<segmentation::AsyncSegmenter>(std::move(segmenter),
-                                                        segmentation::makeContourRefiner(options, rules.moving()));
+  const bool isNetwork = options.type != segmentation::SegmentationOptions::Type::RecordedMasks;
+  return std::make_shared<masks::AsyncSegmenter>(
+      std::move(segmenter), masks::makeContourRefiner(options.refinement, isNetwork, rules.moving()));
 }
 
 }  // namespace

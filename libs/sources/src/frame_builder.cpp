@@ -13,7 +13,7 @@
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/view_rays.h"
-#include "wardslam/sources/depth_registration.h"
+#include "depth_registration.h"
 
 namespace wardslam::sources {
 namespace {

@@ -9,7 +9,7 @@
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/options.h"
 
-namespace wardslam::segmentation {
+namespace wardslam::masks {
 class AsyncSegmenter;
 }
 namespace wardslam::knowledge {
@@ -20,7 +20,7 @@ namespace wardslam::filters {
 
 /// What a filter may use besides its own parameters. Both pointers may be null; a filter that needs it says so.
 struct FilterContext {
-  std::shared_ptr<segmentation::AsyncSegmenter> segmenter;
+  std::shared_ptr<masks::AsyncSegmenter> segmenter;
   std::shared_ptr<const knowledge::KnowledgeGraph> knowledge;
   bool deterministic = false;  ///< The run must repeat exactly: nothing may depend on how long work takes.
 };

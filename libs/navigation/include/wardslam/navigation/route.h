@@ -4,14 +4,14 @@
 #include <optional>
 #include <vector>
 
-#include "wardslam/mapping/drivable_floor.h"
+#include "wardslam/query/drivable_floor.h"
 
 namespace wardslam::navigation {
 
 /// The shortest way over the floor for the robot's middle, by MRPT's PlannerSimple2D: points about `step_m` apart, the
 /// goal last, the start left out. Start and goal are moved onto drivable floor, at most `reach_m` (at the start) and
 /// one cell (at the goal). Nothing where no way leads.
-[[nodiscard]] std::optional<std::vector<Eigen::Vector2d>> planRoute(const mapping::DrivableFloor& floor,
+[[nodiscard]] std::optional<std::vector<Eigen::Vector2d>> planRoute(const query::DrivableFloor& floor,
                                                                     const Eigen::Vector2d& from_map_m,
                                                                     const Eigen::Vector2d& to_map_m,
                                                                     double step_m = 0.4, double reach_m = 0.5);

@@ -53,7 +53,7 @@ class FrontEnd {
  private:
   MapFrameOptions mapFrame_;
   std::shared_ptr<const knowledge::KnowledgeGraph> knowledge_;
-  std::shared_ptr<segmentation::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
+  std::shared_ptr<masks::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
   core::LabelSpace labels_;
   sources::FrameBuilder frameBuilder_;
   features::OrbExtractor features_;

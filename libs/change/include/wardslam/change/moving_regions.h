@@ -1,0 +1,31 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "wardslam/change/region_growth.h"
+#include "wardslam/change/scene_motion.h"
+
+namespace wardslam::change {
+
+struct MovingRegionsOptions {
+  RegionGrowthOptions growth;
+  double strict_log_odds = 1.0;
+  double loose_log_odds = 3.0;
+  double min_area_m2 = 0.01;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    RegionGrowthOptions::describe(self.growth, visit);
+    visit("strict", self.strict_log_odds, {0.0, 4.0}, "log-odds", "from which a point moves that others bear out");
+    visit("loose", self.loose_log_odds, {0.0, 4.0}, "log-odds", "from which a point moves that stands alone");
+    visit("min_area", self.min_area_m2, {0.0, 1.0}, "m^2", "smallest surface that can have come");
+  }
+};
+
+/// The regions of the newest image that move, of the evidence gathered: followed points, and surfaces where an earlier
+/// image saw none, each borne out by its neighbours and grown along its surface until resting points are nearer.
+/// CV_8UC1 of `imageSize`, 255 = moves.
+[[nodiscard]] cv::Mat movingRegions(const SceneMotion& motion, const core::CameraModel& camera,
+                                    const cv::Size& imageSize, const MovingRegionsOptions& options);
+
+}  // namespace wardslam::change
