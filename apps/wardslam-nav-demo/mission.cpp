@@ -5,8 +5,8 @@
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
-#include "wardslam/navigation/route.h"
 #include "wardslam/query/object_name.h"
+#include "wardslam/query/route.h"
 
 namespace wardslam::nav_demo {
 namespace {
@@ -79,7 +79,7 @@ Mission planMission(const mapping::SemanticMap& map, const Order& order, const R
   const Eigen::Vector2d start_m = mission.T_map_start.translation();
   const query::DrivableFloor floor(map.floorPlan, mission.rules);
   const auto spot = floor.spotBeside(*mission.object, kReach_m, start_m);
-  const auto route = spot ? navigation::planRoute(floor, start_m, spot->p_map_m) : std::nullopt;
+  const auto route = spot ? query::planRoute(floor, start_m, spot->p_map_m) : std::nullopt;
   if (!route) throw core::InputError(reasonFor(mission, map.floorPlan, start_m));
   mission.spot = *spot;
   mission.route_m = *route;

@@ -75,15 +75,14 @@ std::string ptg(int index, const std::string& type, const RobotOptions& robot, c
          "w_max_dps = " + std::to_string(robot.maxTurn_radps * kRadToDeg) + "\n" + key + own;
 }
 
-std::string settings(const RobotOptions& robot, const std::filesystem::path& cache) {
+std::string settings(const RobotOptions& robot) {
   return "[CReactiveNavigationSystem]\nmin_obstacles_height = 0.0\nmax_obstacles_height = 2.0\nPTG_COUNT = 2\n" +
          ptg(0, "CPTG_DiffDrive_C", robot, "K = 1.0\nPTG0_score_priority = 1.0\n") +
          ptg(1, "CPTG_DiffDrive_alpha", robot, "cte_a0v_deg = 57\nPTG1_cte_a0w_deg = 57\nPTG1_score_priority = 1.0\n") +
          kFixedSettings + "[CHolonomicFullEval]\n" + core::kFullEvalFactors +
          "[CAbstractPTGBasedReactive]\nref_distance = " + std::to_string(kForesees_m) +
          "\nrobotMax_V_mps = " + std::to_string(robot.maxSpeed_mps) +
-         "\nrobotMax_W_degps = " + std::to_string(robot.maxTurn_radps * kRadToDeg) +
-         "\nptg_cache_files_directory = " + cache.string() + "\n";
+         "\nrobotMax_W_degps = " + std::to_string(robot.maxTurn_radps * kRadToDeg) + "\n";
 }
 
 /// Around the robot's circle and a little more, since the tables know cells of 5 cm.
@@ -111,7 +110,8 @@ struct ReactiveNavigator::System : mrpt::nav::CReactiveNavigationSystem {
 ReactiveNavigator::ReactiveNavigator(RobotInterface& robot, const RobotOptions& options,
                                      const std::filesystem::path& cache)
     : system_(std::make_unique<System>(robot)) {
-  system_->loadConfigFile(mrpt::config::CConfigFileMemory(settings(options, cache)));
+  system_->loadConfigFile(mrpt::config::CConfigFileMemory(settings(options)));
+  system_->params_abstract_ptg_navigator.ptg_cache_files_directory = cache.string();  // no configuration sets it
   system_->changeRobotShape(shapeOf(options));
   system_->initialize();
 }

@@ -102,12 +102,12 @@ void info(const MapArguments& arguments) {
 
 void objects(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const query::Query query(map);
+  const query::MapQuery query(map);
   const auto found = query.objects(filterOf(arguments, map));
   show(arguments, toJson(found, map.labels), [&](std::ostream& out) { print(out, found, map.labels); });
 }
 
-std::optional<query::NearObject> findNearest(const MapArguments& arguments, const query::Query& query,
+std::optional<query::NearObject> findNearest(const MapArguments& arguments, const query::MapQuery& query,
                                              const query::ObjectFilter& filter) {
   const Eigen::Vector2d floor_m(arguments.point_m.data());
   if (arguments.alongFloor) return query.nearestAlongFloor(floor_m, filter);
@@ -117,7 +117,7 @@ std::optional<query::NearObject> findNearest(const MapArguments& arguments, cons
 
 void nearest(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const query::Query query(map);
+  const query::MapQuery query(map);
   const auto found = findNearest(arguments, query, filterOf(arguments, map));
   nlohmann::ordered_json json = {{"object", nullptr}, {"distance", nullptr}, {"along_floor", arguments.alongFloor}};
   if (found) {
@@ -136,14 +136,14 @@ void nearest(const MapArguments& arguments) {
 
 void at(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const query::Query query(map);
+  const query::MapQuery query(map);
   const auto place = query.at(Eigen::Vector3d(arguments.point_m.data()));
   show(arguments, toJson(place, map.labels), [&](std::ostream& out) { print(out, place, map.labels); });
 }
 
 void zones(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const query::Query query(map);
+  const query::MapQuery query(map);
   show(arguments, zonesJson(map, query), [&](std::ostream& out) { printZones(out, map, query); });
 }
 

@@ -44,7 +44,7 @@ std::size_t keyframesIn(const mapping::SemanticMap& map, const std::string& zone
   return count;
 }
 
-std::size_t objectsIn(const query::Query& query, const std::string& zone) {
+std::size_t objectsIn(const query::MapQuery& query, const std::string& zone) {
   query::ObjectFilter filter;
   filter.zone = zone;
   return query.objects(filter).size();
@@ -106,7 +106,7 @@ Json toJson(const query::MapDifference& difference, const core::LabelSpace& labe
           {"unchanged", difference.unchanged}};
 }
 
-Json zonesJson(const mapping::SemanticMap& map, const query::Query& query) {
+Json zonesJson(const mapping::SemanticMap& map, const query::MapQuery& query) {
   Json list = Json::array();
   for (const auto& zone : map.zones) {
     Json polygon = Json::array();
@@ -176,7 +176,7 @@ void print(std::ostream& out, const query::MapDifference& difference, const core
   out << difference.unchanged << " unchanged\n";
 }
 
-void printZones(std::ostream& out, const mapping::SemanticMap& map, const query::Query& query) {
+void printZones(std::ostream& out, const mapping::SemanticMap& map, const query::MapQuery& query) {
   Table table({"zone", "area [m2]", "objects", "keyframes"});
   for (const auto& zone : map.zones) {
     table.add({zone.name, fixed(area_m2(zone), 1), std::to_string(objectsIn(query, zone.name)),

@@ -18,12 +18,12 @@ using Objects = std::vector<const mapping::MapObject*>;
 [[nodiscard]] nlohmann::ordered_json toJson(const Objects& objects, const core::LabelSpace& labels);
 [[nodiscard]] nlohmann::ordered_json toJson(const query::Place& place, const core::LabelSpace& labels);
 [[nodiscard]] nlohmann::ordered_json toJson(const query::MapDifference& difference, const core::LabelSpace& labels);
-[[nodiscard]] nlohmann::ordered_json zonesJson(const mapping::SemanticMap& map, const query::Query& query);
+[[nodiscard]] nlohmann::ordered_json zonesJson(const mapping::SemanticMap& map, const query::MapQuery& query);
 
 void print(std::ostream& out, const storage::MapFileInfo& info, const mapping::FloorPlan& plan);
 void print(std::ostream& out, const Objects& objects, const core::LabelSpace& labels);
 void print(std::ostream& out, const query::Place& place, const core::LabelSpace& labels);
 void print(std::ostream& out, const query::MapDifference& difference, const core::LabelSpace& labels);
-void printZones(std::ostream& out, const mapping::SemanticMap& map, const query::Query& query);
+void printZones(std::ostream& out, const mapping::SemanticMap& map, const query::MapQuery& query);
 
 }  // namespace wardslam::apps

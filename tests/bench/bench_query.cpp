@@ -53,8 +53,8 @@ const SemanticMap& hospital() {
   return map;
 }
 
-const query::Query& query() {
-  static const query::Query query(hospital());
+const query::MapQuery& query() {
+  static const query::MapQuery query(hospital());
   return query;
 }
 
@@ -65,7 +65,7 @@ query::ObjectFilter ofClass(core::ClassId classId) {
 }
 
 void buildIndex(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(query::Query(hospital()));
+  for (auto _ : state) benchmark::DoNotOptimize(query::MapQuery(hospital()));
 }
 BENCHMARK(buildIndex)->Unit(benchmark::kMillisecond);
 

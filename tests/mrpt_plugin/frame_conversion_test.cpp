@@ -1,4 +1,4 @@
-#include "frame_conversion.h"
+#include "wardslam/mrpt_plugin/frame_conversion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "observation_annotator.h"
+#include "wardslam/mrpt_plugin/observation_annotator.h"
 
 #include <gmock/gmock.h>
 #include <mrpt/config/CConfigFileMemory.h>

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "support/hand_made_map.h"
 
 namespace wardslam::query {
@@ -37,6 +40,34 @@ TEST(FloorWays, WaysStayOnThePlan) {
   plan.cells.col(10).setTo(
       mapping::FloorPlan::kOccupied);  // from wall to wall: along the border, too, nothing leads past
   EXPECT_FALSE(distance_m(FloorWays(plan), {10.05, 20.05}, {11.95, 20.05}));
+}
+
+TEST(FloorWays, AWayRoundACornerHasThatCorner) {
+  mapping::FloorPlan plan = makeRoom();
+  plan.cells(cv::Rect(10, 0, 1, 9)).setTo(mapping::FloorPlan::kOccupied);  // open in the topmost row, y = 20.95
+  const FloorWays ways(plan);
+  const auto way =
+      ways.wayBetween(ways.freeCellNear({10.05, 20.05}, 0.1).value(), ways.freeCellNear({11.95, 20.05}, 0.1).value());
+  ASSERT_TRUE(way);
+  EXPECT_NEAR((way->front() - Eigen::Vector2d(10.05, 20.05)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((way->back() - Eigen::Vector2d(11.95, 20.05)).norm(), 0.0, 1e-9);
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < way->size(); ++i) length_m += ((*way)[i] - (*way)[i - 1]).norm();
+  const double shortest_m = 2 * std::hypot(0.95, 0.9);  // to the middle of the opening and back
+  EXPECT_GT(length_m, shortest_m - 1e-9);
+  EXPECT_LT(length_m, 1.05 * shortest_m);
+  EXPECT_TRUE(std::all_of(way->begin(), way->end(),
+                          [](const auto& p) { return p.x() < 11.0 || p.x() > 11.1 || p.y() > 20.9; }));
+}
+
+TEST(FloorWays, AWayInSightIsOneLine) {
+  const FloorWays ways(makeRoom());
+  const auto way =
+      ways.wayBetween(ways.freeCellNear({10.05, 20.05}, 0.1).value(), ways.freeCellNear({11.75, 20.65}, 0.1).value());
+  ASSERT_TRUE(way);
+  EXPECT_EQ(way->size(), 2U);
+  const auto here = ways.freeCellNear({10.05, 20.05}, 0.1).value();
+  EXPECT_EQ(ways.wayBetween(here, here).value().size(), 1U);
 }
 
 TEST(FloorWays, SmallCellsArePooledAndFreeOnlyWhenAllAre) {

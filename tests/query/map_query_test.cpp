@@ -25,7 +25,7 @@ class QueryTest : public testing::Test {
   }
 
   mapping::SemanticMap map_ = test::makeWard();
-  Query query_{map_};
+  MapQuery query_{map_};
 };
 
 TEST_F(QueryTest, WithoutAFilterGivesWhatStandsThereInOrderOfIds) {
@@ -79,7 +79,7 @@ TEST_F(QueryTest, ABagBesideOrUnderAChairLeavesItFree) {
   map_.objects[8] = test::makeObject(8, test::kBackpack, {0.3, 0.0, 0.45}, {0.3, 0.3, 0.9});  // seat ends at 0.125 m
   ObjectFilter filter = chairs();
   filter.onlyFree = true;
-  const Query query(map_);
+  const MapQuery query(map_);
   EXPECT_EQ(query.objects(filter).size(), 4U);
 }
 
@@ -87,7 +87,7 @@ TEST_F(QueryTest, WhatIsGoneOccupiesNothing) {
   map_.objects[3].state = mapping::ObjectState::Gone;
   ObjectFilter filter = chairs();
   filter.onlyFree = true;
-  EXPECT_EQ(Query(map_).objects(filter).size(), 4U);
+  EXPECT_EQ(MapQuery(map_).objects(filter).size(), 4U);
 }
 
 TEST_F(QueryTest, FindsTheNearestAsTheCrowFlies) {
@@ -128,9 +128,9 @@ TEST_F(QueryTest, TheWayAlongTheFloorLeadsAroundWalls) {
 
 TEST_F(QueryTest, NoWayLeadsWhereTheFloorIsUnknown) {
   map_.floorPlan.cells.setTo(mapping::FloorPlan::kUnknown);
-  EXPECT_FALSE(Query(map_).nearestAlongFloor({0, 1}, chairs()));
+  EXPECT_FALSE(MapQuery(map_).nearestAlongFloor({0, 1}, chairs()));
   map_.floorPlan = {};
-  EXPECT_FALSE(Query(map_).nearestAlongFloor({0, 1}, chairs()));
+  EXPECT_FALSE(MapQuery(map_).nearestAlongFloor({0, 1}, chairs()));
 }
 
 TEST_F(QueryTest, TellsWhatIsAtAPoint) {
@@ -150,9 +150,9 @@ TEST_F(QueryTest, TellsTheFloorOfAPoint) {
   EXPECT_THAT(query_.at({1.0, 0.0, 0.5}).objects, IsEmpty()) << "that chair is gone";
 }
 
-TEST(Query, AnswersAboutAnEmptyMap) {
+TEST(MapQuery, AnswersAboutAnEmptyMap) {
   const mapping::SemanticMap empty;
-  const Query query(empty);
+  const MapQuery query(empty);
   EXPECT_THAT(query.objects(), IsEmpty());
   EXPECT_FALSE(query.nearest(Eigen::Vector3d(0, 0, 0), {}));
   EXPECT_EQ(query.at({0, 0, 0}).floor, mapping::FloorPlan::kUnknown);

@@ -1,4 +1,4 @@
-#include "frame_conversion.h"
+#include "wardslam/mrpt_plugin/frame_conversion.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

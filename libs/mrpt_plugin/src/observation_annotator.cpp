@@ -1,4 +1,4 @@
-#include "observation_annotator.h"
+#include "wardslam/mrpt_plugin/observation_annotator.h"
 
 #include <mrpt/containers/yaml.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

@@ -2,9 +2,9 @@
 
 #include <mrpt/core/initializer.h>
 
-#include "observation_annotator.h"
 #include "semantic_rgbd_sensor.h"
 #include "wardslam/filters/register_filters.h"
+#include "wardslam/mrpt_plugin/observation_annotator.h"
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
 
 namespace wardslam::mrpt_plugin {

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "frame_conversion.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/mrpt_plugin/frame_conversion.h"
 #include "wardslam/sources/external_images.h"
 #include "wardslam/sources/input_damage.h"
 

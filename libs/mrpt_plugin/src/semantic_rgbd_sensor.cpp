@@ -7,9 +7,9 @@
 #include <chrono>
 #include <optional>
 
-#include "frame_conversion.h"
 #include "temporary_ini.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/mrpt_plugin/frame_conversion.h"
 #include "wardslam/pipeline/front_end.h"
 #include "wardslam/pipeline/ini_options.h"
 #include "wardslam/sources/live_sensor_source.h"

@@ -63,7 +63,7 @@ class Arrivals {
 
 }  // namespace
 
-struct Query::Index {
+struct MapQuery::Index {
   explicit Index(const mapping::SemanticMap& map);
 
   void findZones(const mapping::SemanticMap& map);
@@ -87,14 +87,14 @@ struct Query::Index {
   Arrivals arrivals;
 };
 
-Query::Index::Index(const mapping::SemanticMap& map) : floorPlan(map.floorPlan), ways(map.floorPlan) {
+MapQuery::Index::Index(const mapping::SemanticMap& map) : floorPlan(map.floorPlan), ways(map.floorPlan) {
   for (const auto& [id, keyframe] : map.keyframes) newestStamp_s = std::max(newestStamp_s, keyframe.stamp_s);
   findZones(map);
   findFree();
   findWaysTo();
 }
 
-void Query::Index::findZones(const mapping::SemanticMap& map) {
+void MapQuery::Index::findZones(const mapping::SemanticMap& map) {
   zones = map.zones;
   std::stable_sort(zones.begin(), zones.end(),
                    [](const auto& a, const auto& b) { return mapping::area_m2(a) < mapping::area_m2(b); });
@@ -107,7 +107,7 @@ void Query::Index::findZones(const mapping::SemanticMap& map) {
 }
 
 /// A sweep along x: only objects that begin not too far to the left can reach into a seat.
-void Query::Index::findFree() {
+void MapQuery::Index::findFree() {
   std::vector<const mapping::MapObject*> byMinX;
   double widest_m = 0.0;
   for (const auto& entry : entries) {
@@ -127,7 +127,7 @@ void Query::Index::findFree() {
   }
 }
 
-void Query::Index::findWaysTo() {
+void MapQuery::Index::findWaysTo() {
   std::vector<std::pair<FloorWays::Cell, std::uint32_t>> inReach;
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
     ways.forEachFreeCellNear(footprint(*entries[i].object), kReach_m,
@@ -137,7 +137,7 @@ void Query::Index::findWaysTo() {
 }
 
 template <class Take>
-void Query::Index::select(const ObjectFilter& filter, const Take& take) const {
+void MapQuery::Index::select(const ObjectFilter& filter, const Take& take) const {
   const std::size_t zone = filter.zone ? zoneNamed(*filter.zone) : 0;
   if (filter.zone && zone == zones.size()) return;
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -154,18 +154,18 @@ void Query::Index::select(const ObjectFilter& filter, const Take& take) const {
   }
 }
 
-Query::Query(const mapping::SemanticMap& map) : index_(std::make_unique<Index>(map)) {}
-Query::~Query() = default;
-Query::Query(Query&&) noexcept = default;
-Query& Query::operator=(Query&&) noexcept = default;
+MapQuery::MapQuery(const mapping::SemanticMap& map) : index_(std::make_unique<Index>(map)) {}
+MapQuery::~MapQuery() = default;
+MapQuery::MapQuery(MapQuery&&) noexcept = default;
+MapQuery& MapQuery::operator=(MapQuery&&) noexcept = default;
 
-std::vector<const mapping::MapObject*> Query::objects(const ObjectFilter& filter) const {
+std::vector<const mapping::MapObject*> MapQuery::objects(const ObjectFilter& filter) const {
   std::vector<const mapping::MapObject*> found;
   index_->select(filter, [&](std::size_t i) { found.push_back(index_->entries[i].object); });
   return found;
 }
 
-std::optional<NearObject> Query::nearest(const Eigen::Vector3d& p_map_m, const ObjectFilter& filter) const {
+std::optional<NearObject> MapQuery::nearest(const Eigen::Vector3d& p_map_m, const ObjectFilter& filter) const {
   NearObject best{nullptr, std::numeric_limits<double>::infinity()};
   index_->select(filter, [&](std::size_t i) {
     const mapping::MapObject* object = index_->entries[i].object;
@@ -175,7 +175,7 @@ std::optional<NearObject> Query::nearest(const Eigen::Vector3d& p_map_m, const O
   return best.object != nullptr ? std::optional(best) : std::nullopt;
 }
 
-std::optional<NearObject> Query::nearest(const Eigen::Vector2d& p_map_m, const ObjectFilter& filter) const {
+std::optional<NearObject> MapQuery::nearest(const Eigen::Vector2d& p_map_m, const ObjectFilter& filter) const {
   NearObject best{nullptr, std::numeric_limits<double>::infinity()};
   index_->select(filter, [&](std::size_t i) {
     const mapping::MapObject* object = index_->entries[i].object;
@@ -185,7 +185,8 @@ std::optional<NearObject> Query::nearest(const Eigen::Vector2d& p_map_m, const O
   return best.object != nullptr ? std::optional(best) : std::nullopt;
 }
 
-std::optional<NearObject> Query::nearestAlongFloor(const Eigen::Vector2d& p_map_m, const ObjectFilter& filter) const {
+std::optional<NearObject> MapQuery::nearestAlongFloor(const Eigen::Vector2d& p_map_m,
+                                                      const ObjectFilter& filter) const {
   const auto start = index_->ways.freeCellNear(p_map_m, kReach_m);
   std::vector<bool> wanted(index_->entries.size());
   bool any = false;
@@ -201,7 +202,7 @@ std::optional<NearObject> Query::nearestAlongFloor(const Eigen::Vector2d& p_map_
   return NearObject{index_->entries[*reached].object, *distance_m};
 }
 
-Place Query::at(const Eigen::Vector3d& p_map_m) const {
+Place MapQuery::at(const Eigen::Vector3d& p_map_m) const {
   Place place;
   for (const auto& entry : index_->entries) {
     const bool stands = entry.object->state != mapping::ObjectState::Gone;

@@ -43,12 +43,12 @@ struct Place {
 
 /// Answers questions about a map. Makes an index when it is built; the map must outlive it and stay unchanged.
 /// Answers point into the map. Thread-safe.
-class Query {
+class MapQuery {
  public:
-  explicit Query(const mapping::SemanticMap& map);
-  ~Query();
-  Query(Query&&) noexcept;
-  Query& operator=(Query&&) noexcept;
+  explicit MapQuery(const mapping::SemanticMap& map);
+  ~MapQuery();
+  MapQuery(MapQuery&&) noexcept;
+  MapQuery& operator=(MapQuery&&) noexcept;
 
   /// In order of ids.
   [[nodiscard]] std::vector<const mapping::MapObject*> objects(const ObjectFilter& filter = {}) const;

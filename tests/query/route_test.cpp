@@ -1,10 +1,10 @@
-#include "wardslam/navigation/route.h"
+#include "wardslam/query/route.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace wardslam::navigation {
+namespace wardslam::query {
 namespace {
 
 constexpr double kRadius_m = 0.25;
@@ -21,7 +21,7 @@ mapping::FloorPlan makeRooms(double door_m) {
   return plan;
 }
 
-query::DrivableFloor drivable(const mapping::FloorPlan& plan, const std::vector<mapping::Zone>& forbidden = {}) {
+DrivableFloor drivable(const mapping::FloorPlan& plan, const std::vector<mapping::Zone>& forbidden = {}) {
   return {plan, {kRadius_m, forbidden, false}};
 }
 
@@ -76,4 +76,4 @@ TEST(Route, OutsideOfThePlanThereIsNone) {
 }
 
 }  // namespace
-}  // namespace wardslam::navigation
+}  // namespace wardslam::query
