@@ -16,6 +16,7 @@
 #include "triangle_view.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/core/mrpt_opengl_compat.h"
 
 namespace wardslam::synth {
 namespace {
@@ -118,9 +119,7 @@ void prepare(gl::COpenGLScene& scene, float ambient, float diffuse) {
   viewport.setViewportClipDistances(kNear_m, kFar_m);
   viewport.setCustomBackgroundColor({0.0F, 0.0F, 0.0F});
   auto& light = viewport.lightParameters();
-  light.ambient = {ambient, ambient, ambient, 1.0F};
-  light.diffuse = {diffuse, diffuse, diffuse, 1.0F};
-  light.specular = {0.0F, 0.0F, 0.0F, 1.0F};
+  core::setWhiteLight(light, ambient, diffuse);
   light.direction = mrpt::math::TVector3Df(-0.38F, 0.23F, -0.89F).unitarize();  // from the lamps and the window
 }
 

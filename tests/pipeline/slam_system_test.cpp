@@ -124,13 +124,13 @@ TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
     SlamSystem first(options);
     for (int image = 0; image < 10; ++image) first.process(observe(room_, image));
     first.finish();
-    earlier = {graph::save(first.map().graph()), first.semanticMap()};
+    earlier = {graph::save(first.mapper().graph()), first.semanticMap()};
   }
   ASSERT_FALSE(earlier.graph.keyframes.empty());
   SlamSystem second(options, earlier);
   for (int image = 3; image < 12; ++image) second.process(observe(room_, image));
   second.finish();
-  EXPECT_EQ(second.map().submapsJoined(), 1U);
+  EXPECT_EQ(second.mapper().submapsJoined(), 1U);
   const auto trajectory = second.trajectory();
   ASSERT_EQ(trajectory.size(), 9U);
   for (int image = 3; image < 12; ++image) {

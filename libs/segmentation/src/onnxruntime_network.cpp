@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iostream>
 #include <vector>
 
+#include "repeated_schema_filter.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::segmentation {
@@ -47,6 +49,21 @@ cv::Mat toTensor(const Ort::Value& value) {
   }
 }
 
+Ort::Env makeEnvironment() { return Ort::Env(ORT_LOGGING_LEVEL_ERROR, "wardslam"); }
+
+/// The first environment of a process registers the operators, not without noise (repeated_schema_filter.h).
+bool registerOperators() {
+  static RepeatedSchemaFilter filter(*std::cerr.rdbuf());
+  const FilterGuard guard(filter);
+  const Ort::Env first = makeEnvironment();
+  return true;
+}
+
+Ort::Env openEnvironment() {
+  [[maybe_unused]] static const bool kAreRegistered = registerOperators();  // once in a process, by one thread
+  return makeEnvironment();
+}
+
 class OnnxRuntimeNetwork : public Network {
  public:
   OnnxRuntimeNetwork(const NetworkSource& source, const std::string& bytes)
@@ -80,7 +97,7 @@ class OnnxRuntimeNetwork : public Network {
     return tensors;
   }
 
-  Ort::Env environment_{ORT_LOGGING_LEVEL_ERROR, "wardslam"};
+  Ort::Env environment_ = openEnvironment();
   Ort::Session session_;
   std::string input_;
   std::vector<std::string> outputs_;
