@@ -5,6 +5,9 @@
 #include <mrpt/obs/CObservationStereoImages.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "recording.h"
 #include "recording/rawlog_writer.h"
 #include "wardslam/core/mrpt_compat.h"
@@ -23,12 +26,24 @@ Bytes serialised(const mrpt::serialization::CSerializable& object) {
   return {begin, begin + stream.getTotalBytesCount()};
 }
 
+/// By its angles: a level camera is written with plain zeros, not with signs that rounding left.
+mrpt::poses::CPose3D byAngles(const Eigen::Isometry3d& T) {
+  const auto& R = T.linear();
+  const auto& p = T.translation();
+  return {p.x(),
+          p.y(),
+          p.z(),
+          std::atan2(R(1, 0), R(0, 0)),
+          std::asin(std::clamp(0.0 - R(2, 0), -1.0, 1.0)),
+          std::atan2(R(2, 1), R(2, 2))};
+}
+
 class RawlogRecording : public Recording {
  public:
   RawlogRecording(const std::filesystem::path& file, const SequenceCamera& camera)
       : camera_(core::toMrpt(camera.model)),
         stereoBaseline_m_(camera.stereoBaseline_m),
-        sensorPose_(core::toMrpt(camera.T_base_sensor)),
+        sensorPose_(byAngles(camera.T_base_sensor)),
         writer_(file, recording::ImageCoding::Jpeg) {}
 
   [[nodiscard]] std::vector<Bytes> encode(const SequenceFrame& frame) const override {
