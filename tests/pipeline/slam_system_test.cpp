@@ -116,6 +116,39 @@ TEST_F(SlamSystemTest, TracksARoom) {
   slam.finish();
 }
 
+TEST_F(SlamSystemTest, InThreadsOrNotTheMapHoldsAllKeyframesInTheEnd) {
+  for (const bool deterministic : {true, false}) {
+    SlamOptions options = withoutFilters();
+    options.deterministic = deterministic;
+    SlamSystem slam(options);
+    ASSERT_TRUE(slam.buildsSemanticMap());
+    std::size_t keyframes = 0;
+    for (int image = 0; image < 10; ++image) keyframes += slam.process(observe(room_, image)).keyframe ? 1U : 0U;
+    slam.finish();
+    EXPECT_EQ(slam.mapper().graph().keyframes().size(), keyframes);
+    EXPECT_EQ(slam.semanticMap().keyframes.size(), keyframes);
+    EXPECT_EQ(slam.mapBuilder()->map().keyframes.size(), keyframes);
+    EXPECT_EQ(slam.viewsLeftOut(), 0U);
+    const auto* mapper = &slam.mapper();
+    slam.finish();
+    EXPECT_EQ(&slam.mapper(), mapper) << "asking twice does no harm";
+    EXPECT_EQ(slam.semanticMap().keyframes.size(), keyframes);
+    EXPECT_EQ(slam.trajectory().size(), 10U);
+  }
+}
+
+TEST_F(SlamSystemTest, WithoutMappingThereIsNoSemanticMap) {
+  SlamOptions options = withoutFilters();
+  options.mapping.enabled = false;
+  SlamSystem slam(options);
+  EXPECT_FALSE(slam.buildsSemanticMap());
+  slam.process(observe(room_, 0));
+  slam.finish();
+  EXPECT_EQ(slam.mapBuilder(), nullptr);
+  EXPECT_TRUE(slam.semanticMap().keyframes.empty());
+  EXPECT_EQ(slam.mapper().graph().keyframes().size(), 1U);
+}
+
 TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
   SlamOptions options = withoutFilters();
   options.deterministic = true;

@@ -30,7 +30,7 @@ struct StageCapacity {
   std::size_t dispensable = 12;  ///< Preferred and optional ones together; 0: these are always left out.
 };
 
-/// The tasks of a Stage, whatever they work on: does them in the order in which they were posted. For one calling
+/// The part of a Stage that does not depend on its worker; what its functions do is said there. For one calling
 /// thread.
 class StageQueue {
  public:
