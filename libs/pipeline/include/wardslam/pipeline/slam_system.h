@@ -40,7 +40,7 @@ class SlamSystem {
   void setDepthNoise(const core::DepthNoise& noise) { frontEnd_.setDepthNoise(noise); }
 
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
-  /// core::InputError for what no later observation mends. Filters annotate the observation.
+  /// core::InputError for what no later observation mends. Annotates the observation.
   odometry::OdometryResult process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
 
   /// After the last observation: waits for what is still being worked into the map.

@@ -12,21 +12,12 @@ struct Seed {
   double handicap_m = 0.0;  ///< The less sure, the more way it gives to others.
 };
 
-struct RegionGrowthOptions {
-  double reach_m = 0.4;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit("reach", self.reach_m, {0.0, 5.0}, "m", "motion seen at one place is taken to hold along its surface so far");
-  }
-};
-
 /// Makes regions of single observations: a cell moves when, walking along surfaces, the nearest seed is a moving one
-/// and not farther than the reach. Jumps in depth cannot be crossed; cells without depth can, as if at the depth one
+/// and not farther than `reach_m`. Jumps in depth cannot be crossed; cells without depth can, as if at the depth one
 /// came from, at twice the length.
 /// `depth_m`: CV_32FC1, one value per cell, 0 = none. `cellWidth`: width of a cell at 1 m (m): its size in px / f.
 /// Returns CV_8UC1, 255 where it moves.
 [[nodiscard]] cv::Mat growRegions(const cv::Mat& depth_m, double cellWidth, const std::vector<Seed>& seeds,
-                                  const RegionGrowthOptions& options);
+                                  double reach_m);
 
 }  // namespace wardslam::change

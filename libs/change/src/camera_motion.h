@@ -1,9 +1,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <vector>
 
+#include "wardslam/change/scene_motion_options.h"
 #include "wardslam/core/camera_model.h"
 
 namespace wardslam::change {
@@ -17,19 +17,7 @@ struct PointMatch {
   double sigma_px = 1.0;                           ///< Noise of b_px.
 };
 
-struct CameraMotionOptions {
-  int min_points = 15;
-  double min_spread = 0.12;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit("min_points", self.min_points, {6, 1000}, "count", "static points a camera motion must rest on");
-    visit("min_spread", self.min_spread, {0.0, 1.0}, "",
-          "share of the image (in 8 x 6 cells) they must be spread over");
-  }
-};
-
-/// How the camera moved between two images.
+/// Motion of the camera against the static scene, between two images.
 struct CameraMotion {
   Eigen::Isometry3d T_b_a = Eigen::Isometry3d::Identity();
   /// Typical error of what is believed to be static, in units of the expected noise, at least 1. Blur raises it.

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "wardslam/change/scene_motion_options.h"
 #include "wardslam/core/frame.h"
 
 namespace wardslam::change {
@@ -18,7 +19,7 @@ struct DepthAround {
 };
 
 /// Where a track was in one image.
-struct Sighting {
+struct TrackedPosition {
   std::uint64_t frame = 0;
   Eigen::Vector2d undistorted_px = Eigen::Vector2d::Zero();
   DepthAround depth;
@@ -29,23 +30,14 @@ struct Sighting {
 
 /// A small patch of the scene, followed from image to image.
 struct Track {
-  cv::Point2f raw_px;              ///< In the newest image.
-  std::deque<Sighting> sightings;  ///< In order of time, one per image; the newest belongs to raw_px.
-  double logOdds = 0.0;            ///< ln (p / (1 − p)) that it moves against the static scene.
-  bool isDistrusted = false;       ///< It started on something that moves.
-  bool isOnMover = false;          ///< It is on something known to move.
+  cv::Point2f raw_px;                     ///< In the newest image.
+  std::deque<TrackedPosition> positions;  ///< In order of time, one per image; the newest belongs to raw_px.
+  double logOdds = 0.0;                   ///< ln (p / (1 − p)) that it moves against the static scene.
+  bool isDistrusted = false;              ///< It started on something that moves.
+  bool isOnMover = false;                 ///< It is on something known to move.
 
   /// In image `frame`; null when it was not followed so far back.
-  [[nodiscard]] const Sighting* at(std::uint64_t frame) const;
-};
-
-struct PointTrackerOptions {
-  int points = 500;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit("points", self.points, {50, 5000}, "count", "points followed from image to image, at most");
-  }
+  [[nodiscard]] const TrackedPosition* at(std::uint64_t frame) const;
 };
 
 /// Follows points by their looks (pyramidal Lucas–Kanade on the half-size image) for as long as they stay in view;
@@ -57,7 +49,7 @@ class PointTracker {
   explicit PointTracker(const PointTrackerOptions& options) : options_(options) {}
 
   /// Follows into the next image, whose number is `frameNumber`. `predicted_px` (raw): where each of tracks() should
-  /// be. Lost tracks go. Sightings before image `oldestFrame` are forgotten.
+  /// be. Lost tracks go. Positions before image `oldestFrame` are forgotten.
   void follow(const core::Frame& frame, std::uint64_t frameNumber, const std::vector<cv::Point2f>& predicted_px,
               std::uint64_t oldestFrame);
 
