@@ -78,20 +78,20 @@ BENCHMARK(describeAll)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicrosecond);
 
 /// What the filter adds to a frame whose masks are there: descriptors, which are read out when they are compared, and
 /// the test.
-void signaturesAndTest(benchmark::State& state) {
+void descriptorsAndTest(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   filters::DynamicTest test({hospital(), core::LabelSpace::coco()}, {n, n * n / 8});
   const cv::Mat classIds = wardScene().classIds;
   core::Features found;
   found.keypoints = randomKeypoints();
   for (auto _ : state) {
-    found.signatures = std::make_shared<features::SemanticSignatures>(classIds, n);
+    found.semanticDescriptors = std::make_shared<features::SemanticDescriptors>(classIds, n);
     test.setImage(classIds);
     test.mark(found.keypoints);
     benchmark::DoNotOptimize(found);
   }
 }
-BENCHMARK(signaturesAndTest)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicrosecond);
+BENCHMARK(descriptorsAndTest)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicrosecond);
 
 void distanceOfAll(benchmark::State& state) {
   const cv::Mat classIds = wardScene().classIds;

@@ -104,8 +104,8 @@ TEST_F(SceneMotionTest, SeesWhereTheSurfaceHasCome) {
   walk({0, 0, 0}, {0.5, 0, 0});
   // In half a second he came 0.25 m or 83 px to the right, of which the edge takes about ten.
   const cv::Mat appeared = motion_.space() == static_cast<int>(Seen::Through);
-  const double columns = 83.0 / SpaceView::kStep_px;
-  const double rows = box_.height / SpaceView::kStep_px;
+  const double columns = 83.0 / DepthGrid::kStep_px;
+  const double rows = box_.height / DepthGrid::kStep_px;
   EXPECT_NEAR(cv::countNonZero(appeared) / (columns * rows), 0.9, 0.15);
   const cv::Rect front(static_cast<int>(box_.br().x) / 4 - 22, static_cast<int>(box_.y) / 4, 24,
                        static_cast<int>(rows) + 1);

@@ -62,8 +62,8 @@ TEST(FrameConversion, ComesBackAsAFrame) {
   EXPECT_EQ(back.features.keypoints[2].motion, core::Motion::Dynamic);
   EXPECT_EQ(cv::countNonZero(back.segmentation.instanceIds != frame.segmentation.instanceIds), 0);
   EXPECT_EQ(cv::countNonZero(back.mayMove), 20 * 48);
-  ASSERT_TRUE(back.features.signatures);
-  EXPECT_EQ(back.features.signatures->of(back.features.keypoints[2]), core::Signature(25, 1));
+  ASSERT_TRUE(back.features.semanticDescriptors);
+  EXPECT_EQ(back.features.semanticDescriptors->of(back.features.keypoints[2]), core::SemanticDescriptor(25, 1));
 }
 
 }  // namespace

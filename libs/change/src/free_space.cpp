@@ -10,13 +10,13 @@ constexpr float kNoDepth = std::numeric_limits<float>::max();
 
 cv::Mat sampled(const cv::Mat& depth_m) {
   cv::Mat small;
-  cv::resize(depth_m, small, depth_m.size() / SpaceView::kStep_px, 0, 0, cv::INTER_NEAREST);
+  cv::resize(depth_m, small, depth_m.size() / DepthGrid::kStep_px, 0, 0, cv::INTER_NEAREST);
   return small;
 }
 
 /// Raw pixel of the full image that cv::INTER_NEAREST takes for this one.
 cv::Point2f fullPixel(int column, int row) {
-  return {static_cast<float>(column * SpaceView::kStep_px), static_cast<float>(row * SpaceView::kStep_px)};
+  return {static_cast<float>(column * DepthGrid::kStep_px), static_cast<float>(row * DepthGrid::kStep_px)};
 }
 
 cv::Mat raysOf(const cv::Size& size, const core::CameraModel& camera) {
@@ -35,7 +35,7 @@ cv::Mat raysOf(const cv::Size& size, const core::CameraModel& camera) {
 
 }  // namespace
 
-SpaceView::SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera, const SpaceView* before)
+DepthGrid::DepthGrid(const cv::Mat& depth_m, const core::CameraModel& camera, const DepthGrid* before)
     : camera_(camera), depth_m_(sampled(depth_m)) {
   const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
   cv::Mat filled = depth_m_.clone();
@@ -46,7 +46,7 @@ SpaceView::SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera, co
   rays_ = isSameCamera ? before->rays_ : raysOf(size(), camera);
 }
 
-cv::Mat SpaceView::compareWith(const SpaceView& past, const Eigen::Isometry3d& T_past_this) const {
+cv::Mat DepthGrid::compareWith(const DepthGrid& past, const Eigen::Isometry3d& T_past_this) const {
   cv::Mat result(size(), CV_8UC1, cv::Scalar(static_cast<int>(Seen::Unknown)));
   for (int row = 0; row < result.rows; ++row) {
     const auto* depth = depth_m_.ptr<float>(row);
@@ -63,7 +63,7 @@ cv::Mat SpaceView::compareWith(const SpaceView& past, const Eigen::Isometry3d& T
   return result;
 }
 
-Seen SpaceView::look(const Eigen::Vector3d& p_m, const core::DepthNoise& ofPoint) const {
+Seen DepthGrid::look(const Eigen::Vector3d& p_m, const core::DepthNoise& ofPoint) const {
   const auto full_px = pixelOf(p_m, camera_);
   if (!full_px) return Seen::Unknown;
   const Eigen::Vector2d px = *full_px / kStep_px;

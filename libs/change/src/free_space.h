@@ -9,21 +9,21 @@
 namespace wardslam::change {
 
 /// A depth image at a quarter of the size, made to be compared with others.
-class SpaceView {
+class DepthGrid {
  public:
   static constexpr int kStep_px = 4;
 
-  SpaceView() = default;
-  /// `depth_m`: CV_32FC1, raw pixels, 0 = none. What follows from the camera alone is shared with the view of the
+  DepthGrid() = default;
+  /// `depth_m`: CV_32FC1, raw pixels, 0 = none. What follows from the camera alone is shared with the grid of the
   /// image before, if it is given and of the same camera.
-  SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera, const SpaceView* before = nullptr);
+  DepthGrid(const cv::Mat& depth_m, const core::CameraModel& camera, const DepthGrid* before = nullptr);
 
   [[nodiscard]] cv::Size size() const { return depth_m_.size(); }
   [[nodiscard]] const cv::Mat& depth_m() const { return depth_m_; }  ///< CV_32FC1, of size().
 
-  /// For each pixel of this view, what the past one says about the surface there: Seen (CV_8UC1). `T_past_this` takes
+  /// For each pixel of this grid, what the past one says about the surface there: Seen (CV_8UC1). `T_past_this` takes
   /// points of this camera to the past one.
-  [[nodiscard]] cv::Mat compareWith(const SpaceView& past, const Eigen::Isometry3d& T_past_this) const;
+  [[nodiscard]] cv::Mat compareWith(const DepthGrid& past, const Eigen::Isometry3d& T_past_this) const;
 
  private:
   /// `p_m`: a point of another view, in the frame of this camera.

@@ -12,7 +12,7 @@
 namespace wardslam::change {
 namespace {
 
-constexpr int kCell_px = 2 * SpaceView::kStep_px;
+constexpr int kCell_px = 2 * DepthGrid::kStep_px;
 constexpr double kRests = -0.5;  // log-odds below which a point counts as seen at rest
 
 /// Nearest of the depths in a cell: at an edge the thing in front is what may move.
@@ -149,7 +149,7 @@ void giveBackHoles(cv::Mat& moves, const SceneMotion& motion, const cv::Mat& dep
 
 cv::Mat movingRegions(const SceneMotion& motion, const core::CameraModel& camera, const cv::Size& imageSize,
                       const MovingRegionsOptions& options) {
-  const cv::Mat depth_m = cellDepth(motion.view().depth_m());
+  const cv::Mat depth_m = cellDepth(motion.grid().depth_m());
   const double cellWidth = kCell_px / camera.fx_px;
   const cv::Mat appeared = appearedCells(motion, depth_m, cellWidth, options.min_area_m2);
   const cv::Mat same = cellsThatAre(Seen::Same, motion.space(), depth_m.size());

@@ -68,7 +68,7 @@ struct Moment {
   std::uint64_t number = 0;
   double stamp_s = 0.0;
   Eigen::Isometry3d T_local_cam = Eigen::Isometry3d::Identity();  ///< Step by step: a first guess only.
-  SpaceView view;
+  DepthGrid grid;
 };
 
 }  // namespace
@@ -87,7 +87,7 @@ class SceneMotion::Comparison {
 
   [[nodiscard]] const std::vector<Track>& tracks() const { return tracker_.tracks(); }
   [[nodiscard]] const cv::Mat& space() const { return space_; }
-  [[nodiscard]] const SpaceView& view() const { return moments_.newest().view; }
+  [[nodiscard]] const DepthGrid& grid() const { return moments_.newest().grid; }
   [[nodiscard]] bool isTrusted() const { return isTrusted_; }
   [[nodiscard]] bool isAtLoss() const { return isCompared_ && !isTrusted_; }
 
@@ -114,9 +114,9 @@ class SceneMotion::Comparison {
 
 void SceneMotion::Comparison::follow(const core::Frame& frame) {
   moments_.advanceTo(frame.stamp_s);
-  const SpaceView* viewBefore = moments_.empty() ? nullptr : &moments_.newest().view;
+  const DepthGrid* gridBefore = moments_.empty() ? nullptr : &moments_.newest().grid;
   now_.emplace(Moment{++number_, frame.stamp_s, Eigen::Isometry3d::Identity(),
-                      SpaceView(frame.depth_m, frame.camera, viewBefore)});
+                      DepthGrid(frame.depth_m, frame.camera, gridBefore)});
   const std::uint64_t oldest = moments_.empty() ? number_ : moments_.oldest().number;
   tracker_.follow(frame, number_, predictTracks(frame.camera), oldest);
 }
@@ -127,7 +127,7 @@ void SceneMotion::Comparison::judge(const core::Frame& frame, const cv::Mat& kno
   isTrusted_ = isCompared_ = false;
   markKnownMovers(knownMovers);
   locate(now, frame.camera);
-  space_ = cv::Mat(now.view.size(), CV_8UC1, cv::Scalar(static_cast<int>(Seen::Unknown)));
+  space_ = cv::Mat(now.grid.size(), CV_8UC1, cv::Scalar(static_cast<int>(Seen::Unknown)));
   if (!moments_.empty()) gatherEvidence(now, frame.camera);
   moments_.add(std::move(now));
   tracker_.start(frame, number_);
@@ -195,7 +195,7 @@ void SceneMotion::Comparison::gatherEvidence(const Moment& now, const core::Came
     if (!motion.isTrusted) continue;
     isTrusted_ = true;
     testTracks(now, *past, motion, camera, evidence);
-    cv::max(space_, now.view.compareWith(past->view, motion.T_b_a.inverse()), space_);
+    cv::max(space_, now.grid.compareWith(past->grid, motion.T_b_a.inverse()), space_);
   }
   const double step_s = now.stamp_s - moments_.newest().stamp_s;
   const double kept = std::exp(-step_s / options_.memory_s);
@@ -234,7 +234,7 @@ void SceneMotion::judge(const core::Frame& frame, const cv::Mat& knownMovers) {
 void SceneMotion::distrust(const cv::Mat& moves) { comparison_->distrust(moves); }
 const std::vector<Track>& SceneMotion::tracks() const { return comparison_->tracks(); }
 const cv::Mat& SceneMotion::space() const { return comparison_->space(); }
-const SpaceView& SceneMotion::view() const { return comparison_->view(); }
+const DepthGrid& SceneMotion::grid() const { return comparison_->grid(); }
 bool SceneMotion::isTrusted() const { return comparison_->isTrusted(); }
 bool SceneMotion::isAtLoss() const { return comparison_->isAtLoss(); }
 

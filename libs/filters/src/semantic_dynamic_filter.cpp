@@ -92,8 +92,8 @@ void SemanticDynamicFilter::apply(core::Frame& frame) {
     ++frame.events["filters.no_segmentation"];
     return;
   }
-  frame.features.signatures =
-      std::make_shared<features::SemanticSignatures>(frame.segmentation.classIds, options_.test.n);
+  frame.features.semanticDescriptors =
+      std::make_shared<features::SemanticDescriptors>(frame.segmentation.classIds, options_.test.n);
   cv::Mat labels;
   cv::LUT(frame.segmentation.classIds, classLabels_, labels);
   core::addLabels(frame, labels);

@@ -50,10 +50,10 @@ struct SemanticDynamicOptions {
 ///
 /// Needs a segmenter and a knowledge graph. Segmentation starts in begin(), beside the extraction of key points;
 /// apply() gets the masks from its MaskFeed (which waits for them, or carries older ones here), stores them in
-/// Frame::segmentation, sets Keypoint::motion and Features::signatures (P4-P6), and adds to Frame::labelBits what every
-/// pixel shows: Person for a class that moves by itself, Movable for one that can be moved, Thing for any class but
-/// those that move, Dynamic where something moves; and to Frame::mayMove what is suspected. A frame without masks stays
-/// static and counts as "filters.no_segmentation".
+/// Frame::segmentation, sets Keypoint::motion and Features::semanticDescriptors (P4-P6), and adds to Frame::labelBits
+/// what every pixel shows: Person for a class that moves by itself, Movable for one that can be moved, Thing for any
+/// class but those that move, Dynamic where something moves; and to Frame::mayMove what is suspected. A frame without
+/// masks stays static and counts as "filters.no_segmentation".
 class SemanticDynamicFilter : public ObservationFilter {
   DEFINE_MRPT_OBJECT(SemanticDynamicFilter, wardslam::filters)
 

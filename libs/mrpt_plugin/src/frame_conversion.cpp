@@ -51,7 +51,7 @@ std::shared_ptr<CObservationSemanticRGBD> toObservation(const core::Frame& frame
   observation->classes = namesIn(frame.segmentation.classIds, labels);
   observation->descriptorSide = descriptorSide;
   observation->features = frame.features;
-  observation->features.signatures = nullptr;
+  observation->features.semanticDescriptors = nullptr;
   for (const core::Keypoint& keypoint : frame.features.keypoints) {
     observation->states.push_back(stateOf(keypoint, observation->labelBits));
   }
@@ -66,8 +66,8 @@ core::Frame toFrame(const CObservationSemanticRGBD& observation) {
   frame.segmentation = observation.segmentation;
   frame.features = observation.features;
   if (!frame.segmentation.empty()) {
-    frame.features.signatures =
-        std::make_shared<features::SemanticSignatures>(frame.segmentation.classIds, observation.descriptorSide);
+    frame.features.semanticDescriptors =
+        std::make_shared<features::SemanticDescriptors>(frame.segmentation.classIds, observation.descriptorSide);
   }
   frame.labelBits = observation.labelBits;
   frame.mayMove = core::dynamicPixels(frame);

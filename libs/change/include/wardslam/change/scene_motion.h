@@ -9,7 +9,7 @@
 
 namespace wardslam::change {
 
-class SpaceView;
+class DepthGrid;
 struct Track;
 
 /// Motion of whatever is in the picture against the static scene, found from the pictures alone: no classes, no pose
@@ -48,9 +48,9 @@ class SceneMotion {
   /// The points followed, with what is known of each.
   [[nodiscard]] const std::vector<Track>& tracks() const;
 
-  /// Per pixel of view(), whether earlier images saw the surface there, or through its place: CV_8UC1 of Seen.
+  /// Per pixel of grid(), whether earlier images saw the surface there, or through its place: CV_8UC1 of Seen.
   [[nodiscard]] const cv::Mat& space() const;
-  [[nodiscard]] const SpaceView& view() const;  ///< Of the image last judged.
+  [[nodiscard]] const DepthGrid& grid() const;  ///< Of the image last judged.
 
   /// Whether the camera's motion to the image last given is known.
   [[nodiscard]] bool isTrusted() const;
