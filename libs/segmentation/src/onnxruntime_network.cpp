@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
+#include <mutex>
 #include <vector>
 
 #include "repeated_schema_filter.h"
@@ -49,25 +50,19 @@ cv::Mat toTensor(const Ort::Value& value) {
   }
 }
 
-Ort::Env makeEnvironment() { return Ort::Env(ORT_LOGGING_LEVEL_ERROR, "wardslam"); }
-
-/// The first environment of a process registers the operators, not without noise (repeated_schema_filter.h).
-bool registerOperators() {
+/// The first session of a process registers the operators again, not without noise (repeated_schema_filter.h).
+Ort::Session openSession(const Ort::Env& environment, const std::string& bytes) {
+  static std::mutex oneAtATime;
+  const std::lock_guard<std::mutex> lock(oneAtATime);
   static RepeatedSchemaFilter filter(*std::cerr.rdbuf());
   const FilterGuard guard(filter);
-  const Ort::Env first = makeEnvironment();
-  return true;
-}
-
-Ort::Env openEnvironment() {
-  [[maybe_unused]] static const bool kAreRegistered = registerOperators();  // once in a process, by one thread
-  return makeEnvironment();
+  return {environment, bytes.data(), bytes.size(), Ort::SessionOptions()};
 }
 
 class OnnxRuntimeNetwork : public Network {
  public:
   OnnxRuntimeNetwork(const NetworkSource& source, const std::string& bytes)
-      : session_(environment_, bytes.data(), bytes.size(), Ort::SessionOptions()), outputs_(source.outputs) {
+      : session_(openSession(environment_, bytes)), outputs_(source.outputs) {
     const Ort::AllocatorWithDefaultOptions allocator;
     input_ = session_.GetInputNameAllocated(0, allocator).get();
   }
@@ -97,7 +92,7 @@ class OnnxRuntimeNetwork : public Network {
     return tensors;
   }
 
-  Ort::Env environment_ = openEnvironment();
+  Ort::Env environment_{ORT_LOGGING_LEVEL_ERROR, "wardslam"};
   Ort::Session session_;
   std::string input_;
   std::vector<std::string> outputs_;

@@ -44,7 +44,9 @@ std::streamsize RepeatedSchemaFilter::xsputn(const char* text, std::streamsize s
 
 int RepeatedSchemaFilter::sync() { return to_.pubsync(); }
 
-FilterGuard::FilterGuard(RepeatedSchemaFilter& filter) : filter_(filter), before_(std::cerr.rdbuf(&filter)) {}
+FilterGuard::FilterGuard(RepeatedSchemaFilter& filter) : filter_(filter), before_(std::cerr.rdbuf(&filter)) {
+  filter.follow();
+}
 
 FilterGuard::~FilterGuard() {
   std::cerr.rdbuf(before_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <streambuf>
 #include <string>
 #include <thread>
@@ -10,12 +11,14 @@ namespace wardslam::segmentation {
 /// Trying to register schema with name Abs … but it is already registered …").
 ///
 /// Where ONNX Runtime is linked to ONNX as a library of its own, as Debian does, both register all operators when the
-/// first environment of a process is made: some 570 complaints that mean nothing, on std::cerr, which no setting of
+/// first session of a process is opened: some 570 complaints that mean nothing, on std::cerr, which no setting of
 /// ONNX Runtime reaches.
 class RepeatedSchemaFilter : public std::streambuf {
  public:
-  /// Filters what the calling thread writes; what others write passes as it comes.
   explicit RepeatedSchemaFilter(std::streambuf& to) : to_(to) {}
+
+  /// Filters what the calling thread writes from now on; what others write passes as it comes.
+  void follow() { thread_ = std::this_thread::get_id(); }
 
   /// Passes on a line that has no end yet.
   void finish();
@@ -29,12 +32,13 @@ class RepeatedSchemaFilter : public std::streambuf {
   void add(char letter);
 
   std::streambuf& to_;
-  const std::thread::id thread_ = std::this_thread::get_id();
+  std::atomic<std::thread::id> thread_ = std::this_thread::get_id();
   std::string line_;
   bool heldBack_ = false;  ///< The line before.
 };
 
-/// While it lives, std::cerr writes into the filter, which has to outlive whatever other threads write.
+/// While it lives, std::cerr writes into the filter, which follows the calling thread and has to outlive whatever other
+/// threads write.
 class FilterGuard {
  public:
   explicit FilterGuard(RepeatedSchemaFilter& filter);
