@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "wardslam/core/mrpt_nav_compat.h"
+
 namespace wardslam::nav_demo {
 namespace {
 
@@ -34,8 +36,6 @@ min_normalized_free_space_for_ptg_continuation = 0.2
 enable_obstacle_filtering = false
 evaluate_clearance = false
 [CHolonomicFullEval]
-factorWeights = [0.25, 0.1, 1, 0.05, 0.5, 1, 1]
-factorNormalizeOrNot = [0, 0, 0, 0, 1, 1, 0]
 TOO_CLOSE_OBSTACLE = 0.05
 TARGET_SLOW_APPROACHING_DISTANCE = 0.3
 OBSTACLE_SLOW_DOWN_DISTANCE = 0.15
@@ -79,7 +79,8 @@ std::string settings(const RobotOptions& robot) {
   return "[CReactiveNavigationSystem]\nmin_obstacles_height = 0.0\nmax_obstacles_height = 2.0\nPTG_COUNT = 2\n" +
          ptg(0, "CPTG_DiffDrive_C", robot, "K = 1.0\nPTG0_score_priority = 1.0\n") +
          ptg(1, "CPTG_DiffDrive_alpha", robot, "cte_a0v_deg = 57\nPTG1_cte_a0w_deg = 57\nPTG1_score_priority = 1.0\n") +
-         kFixedSettings + "[CAbstractPTGBasedReactive]\nref_distance = " + std::to_string(kForesees_m) +
+         kFixedSettings + "[CHolonomicFullEval]\n" + core::kFullEvalFactors +
+         "[CAbstractPTGBasedReactive]\nref_distance = " + std::to_string(kForesees_m) +
          "\nrobotMax_V_mps = " + std::to_string(robot.maxSpeed_mps) +
          "\nrobotMax_W_degps = " + std::to_string(robot.maxTurn_radps * kRadToDeg) + "\n";
 }

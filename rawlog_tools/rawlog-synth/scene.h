@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,7 @@ struct Label {
 struct Thing {
   Label label;
   Surfaces surfaces;
+  int cell = 0;  ///< Part of the building (a room, say) it stands in; see Scene::mayBeSeen.
 };
 
 /// Something that moves at times.
@@ -45,6 +48,9 @@ class Actor {
   /// What it looks like, in the world frame. The materials and their order are always the same.
   [[nodiscard]] virtual Surfaces surfacesAt(double t_s) const = 0;
   [[nodiscard]] virtual bool isMovingAt(double t_s) const = 0;
+  /// A box (world frame) that it does not leave at that moment, where that is known without making its surfaces: what
+  /// lies out of view is not made.
+  [[nodiscard]] virtual std::optional<Eigen::AlignedBox3f> boundsAt(double /*t_s*/) const { return std::nullopt; }
   /// When it comes to rest for good; infinity if never.
   [[nodiscard]] virtual double atRestFrom_s() const = 0;
 
@@ -57,6 +63,9 @@ struct Scene {
   std::map<Material, cv::Mat> textures;
   std::vector<Thing> things;
   std::vector<std::unique_ptr<Actor>> actors;
+  /// Whether anything of that cell may be seen by a camera there (through open doors, say); what may not is not drawn.
+  /// A hint that saves time: it may err towards "yes" only. Empty: everything may be seen.
+  std::function<bool(int cell, const Eigen::Isometry3d& T_world_cam)> mayBeSeen;
 };
 
 }  // namespace wardslam::synth

@@ -1,4 +1,4 @@
-#include "wardslam/change/camera_motion.h"
+#include "camera_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "change/moving_scene.h"
+#include "wardslam/change/scene_motion.h"
 
 namespace wardslam::change {
 namespace {

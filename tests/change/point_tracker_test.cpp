@@ -1,4 +1,4 @@
-#include "wardslam/change/point_tracker.h"
+#include "point_tracker.h"
 
 #include <gtest/gtest.h>
 
@@ -58,11 +58,11 @@ TEST(PointTracker, FollowsTheScene) {
   tracker.follow(scene.frame(1, {kTenPixels_m, 0, 0}), 2, before, 1);
   ASSERT_GT(tracker.tracks().size(), 150U);
   for (const Track& track : tracker.tracks()) {
-    ASSERT_EQ(track.sightings.size(), 2U);
+    ASSERT_EQ(track.positions.size(), 2U);
     const Eigen::Vector2d way = track.at(2)->undistorted_px - track.at(1)->undistorted_px;
     EXPECT_NEAR(way.x(), -10.0, 0.5);
     EXPECT_NEAR(way.y(), 0.0, 0.5);
-    EXPECT_NEAR(track.sightings.back().moved_px, 10.0, 0.5);
+    EXPECT_NEAR(track.positions.back().moved_px, 10.0, 0.5);
   }
 }
 
@@ -88,7 +88,7 @@ TEST(PointTracker, DropsWhatSlidesOntoAnotherSurface) {
   EXPECT_GT(tracker.tracks().size(), 300U);
 }
 
-TEST(PointTracker, ForgetsOldSightings) {
+TEST(PointTracker, ForgetsOldPositions) {
   const Scene scene;
   PointTracker tracker({100});
   tracker.start(scene.frame(0, {0, 0, 0}), 1);
@@ -97,7 +97,7 @@ TEST(PointTracker, ForgetsOldSightings) {
   }
   ASSERT_FALSE(tracker.tracks().empty());
   for (const Track& track : tracker.tracks()) {
-    EXPECT_EQ(track.sightings.size(), 3U);
+    EXPECT_EQ(track.positions.size(), 3U);
     EXPECT_EQ(track.at(4), nullptr);
     EXPECT_EQ(track.at(8), nullptr);
     EXPECT_EQ(track.at(6)->frame, 6U);

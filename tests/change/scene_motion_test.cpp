@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "change/moving_scene.h"
+#include "evidence.h"
+#include "free_space.h"
+#include "point_tracker.h"
 
 namespace wardslam::change {
 namespace {
@@ -22,7 +25,7 @@ Shares movingShares(const SceneMotion& motion, const cv::Rect2d& person) {
     const cv::Point2d px(track.raw_px);
     const bool isNear = cv::Rect2d(person.x - 20, person.y - 20, person.width + 40, person.height + 40).contains(px);
     const bool isOn = cv::Rect2d(person.x + 12, person.y + 12, person.width - 24, person.height - 24).contains(px);
-    if (track.sightings.size() < 6 || (isNear && !isOn)) continue;
+    if (track.positions.size() < 6 || (isNear && !isOn)) continue;
     ++counts[isOn][track.logOdds > 1.0];
   }
   const auto share = [](const int(&c)[2]) { return c[0] + c[1] == 0 ? -1.0 : double(c[1]) / (c[0] + c[1]); };
@@ -66,7 +69,7 @@ TEST_F(SceneMotionTest, WhileNothingMovesNothingIsFound) {
   EXPECT_TRUE(motion_.isTrusted());
   EXPECT_EQ(movingShares(motion_, box_).inside, 0.0);
   EXPECT_EQ(movingShares(motion_, box_).outside, 0.0);
-  EXPECT_EQ(cv::countNonZero(motion_.space() == static_cast<int>(Space::Appeared)), 0);
+  EXPECT_EQ(cv::countNonZero(motion_.space() == static_cast<int>(Seen::Through)), 0);
 }
 
 TEST_F(SceneMotionTest, AMovingCameraMakesNoMotion) {
@@ -82,7 +85,7 @@ TEST_F(SceneMotionTest, AFastTurnMakesNoMotion) {
   int moving = 0;
   for (const Track& track : motion_.tracks()) moving += track.logOdds > 1.0 ? 1 : 0;
   EXPECT_EQ(moving, 0) << "of " << motion_.tracks().size();
-  EXPECT_LT(cv::countNonZero(motion_.space() == static_cast<int>(Space::Appeared)), 160 * 120 / 100);
+  EXPECT_LT(cv::countNonZero(motion_.space() == static_cast<int>(Seen::Through)), 160 * 120 / 100);
 }
 
 TEST_F(SceneMotionTest, APersonWalkingAcrossIsFound) {
@@ -100,9 +103,9 @@ TEST_F(SceneMotionTest, APersonComingCloserIsFoundFromAMovingCamera) {
 TEST_F(SceneMotionTest, SeesWhereTheSurfaceHasCome) {
   walk({0, 0, 0}, {0.5, 0, 0});
   // In half a second he came 0.25 m or 83 px to the right, of which the edge takes about ten.
-  const cv::Mat appeared = motion_.space() == static_cast<int>(Space::Appeared);
-  const double columns = 83.0 / SpaceView::kStep_px;
-  const double rows = box_.height / SpaceView::kStep_px;
+  const cv::Mat appeared = motion_.space() == static_cast<int>(Seen::Through);
+  const double columns = 83.0 / DepthGrid::kStep_px;
+  const double rows = box_.height / DepthGrid::kStep_px;
   EXPECT_NEAR(cv::countNonZero(appeared) / (columns * rows), 0.9, 0.15);
   const cv::Rect front(static_cast<int>(box_.br().x) / 4 - 22, static_cast<int>(box_.y) / 4, 24,
                        static_cast<int>(rows) + 1);
@@ -166,11 +169,6 @@ TEST_F(SceneMotionTest, StartsAgainAfterAGapOrAStepBackInTime) {
   time_s_ = 0.0;
   walk({0, 0, 0}, {0, 0, 0}, 1);
   EXPECT_FALSE(motion_.isTrusted());
-}
-
-TEST(ProbabilityOf, IsTheLogisticFunction) {
-  EXPECT_DOUBLE_EQ(probabilityOf(0.0), 0.5);
-  EXPECT_NEAR(probabilityOf(std::log(4.0)), 0.8, 1e-12);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -90,6 +91,15 @@ class Floor : public ::testing::Test {
     return (T_first_cam.translation() - T_first_cam_true.translation()).norm();
   }
 
+  /// How far the camera went from then on.
+  static double way_m(const Truth& truth, double from_s) {
+    double way_m = 0.0;
+    for (auto at = truth.lower_bound(key(from_s)); std::next(at) != truth.end(); ++at) {
+      way_m += (std::next(at)->second.translation() - at->second.translation()).norm();
+    }
+    return way_m;
+  }
+
   static std::unique_ptr<test::TemporaryFolder> folder_;
 };
 
@@ -132,10 +142,14 @@ TEST_F(Floor, MapsAnUnknownPlaceAndJoinsItToTheKnownOne) {
   const Outcome carried = run(rawlog);
   EXPECT_EQ(carried.summary.at("submaps_joined"), 1);
   ASSERT_GE(carried.trajectory.size(), truth.size() - 20U) << "all but the frames until a new map was begun";
+  const auto& first = carried.trajectory.front();
+  EXPECT_LT(error_m(truth, first, carried.trajectory.back()), 0.1) << "where both maps meet they agree";
   double worst_m = 0.0;
-  for (const auto& pose : carried.trajectory)
-    worst_m = std::max(worst_m, error_m(truth, carried.trajectory.front(), pose));
-  EXPECT_LT(worst_m, 0.25);
+  for (const auto& pose : carried.trajectory) worst_m = std::max(worst_m, error_m(truth, first, pose));
+  // Both maps meet at the end of the way only. What was mapped alone is off by how well one view along a corridor fixes
+  // the joint and by drift, together some 1 % of the way (0.9 to 1.3 % for cuts at other frames); a false joint would
+  // put a room metres away.
+  EXPECT_LT(worst_m, 0.015 * way_m(truth, kFirst_s + 30 / kRate_hz + kGap_s)) << "a false joint would bend the way";
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "camera_options.h"
 #include "camera_path.h"
-#include "synthesis.h"
 #include "ward_scene.h"
 #include "wardslam/core/mrpt_compat.h"
 
@@ -65,6 +65,17 @@ TEST(Renderer, PixelsLieWhereThePinholeModelPutsThem) {
   }
   const Eigen::Vector2d expected = camera.project(core::T_sensor_cam().inverse() * p.cast<double>());
   EXPECT_LT((sum / weight - expected).norm(), 0.05);
+}
+
+TEST(Renderer, ImagesHaveAnyWidth) {
+  const Scene scene = wallAndPanel();
+  for (const int width_px : {65, 66, 67, 321}) {
+    const Rendering seen = Renderer(scene, cameraFor(width_px, 61)).render(0.0, core::T_sensor_cam());
+    ASSERT_EQ(seen.color_bgr.size(), cv::Size(width_px, 61));
+    EXPECT_NEAR(seen.depth_m.at<float>(30, 2), 2.0F, 1e-5F);
+    EXPECT_EQ(seen.instanceIds.at<std::uint16_t>(30, width_px - 1), 3);
+    EXPECT_GT(seen.color_bgr.at<cv::Vec3b>(30, width_px - 1)[0], 120);
+  }
 }
 
 TEST(Renderer, AWholeWardIsThere) {

@@ -41,7 +41,7 @@ TEST_F(ExportSceneTest, HasTheColouredCloud) {
 TEST_F(ExportSceneTest, HasABoxWithItsNameForWhatStandsThere) {
   const auto box = std::dynamic_pointer_cast<mrpt::opengl::CBox>(scene_.getByName("object 5"));
   ASSERT_TRUE(box);
-  EXPECT_NEAR(box->getPoseX(), 5.5, 1e-6);
+  EXPECT_NEAR(box->getPose().x, 5.5, 1e-6);
   mrpt::math::TPoint3D low;
   mrpt::math::TPoint3D high;
   box->getBoxCorners(low, high);

@@ -1,4 +1,4 @@
-#include "wardslam/change/free_space.h"
+#include "free_space.h"
 
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -7,17 +7,16 @@ namespace wardslam::change {
 namespace {
 
 constexpr float kNoDepth = std::numeric_limits<float>::max();
-constexpr double kBase_m = 0.04;
 
 cv::Mat sampled(const cv::Mat& depth_m) {
   cv::Mat small;
-  cv::resize(depth_m, small, depth_m.size() / SpaceView::kStep_px, 0, 0, cv::INTER_NEAREST);
+  cv::resize(depth_m, small, depth_m.size() / DepthGrid::kStep_px, 0, 0, cv::INTER_NEAREST);
   return small;
 }
 
 /// Raw pixel of the full image that cv::INTER_NEAREST takes for this one.
 cv::Point2f fullPixel(int column, int row) {
-  return {static_cast<float>(column * SpaceView::kStep_px), static_cast<float>(row * SpaceView::kStep_px)};
+  return {static_cast<float>(column * DepthGrid::kStep_px), static_cast<float>(row * DepthGrid::kStep_px)};
 }
 
 cv::Mat raysOf(const cv::Size& size, const core::CameraModel& camera) {
@@ -36,7 +35,7 @@ cv::Mat raysOf(const cv::Size& size, const core::CameraModel& camera) {
 
 }  // namespace
 
-SpaceView::SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera, const SpaceView* before)
+DepthGrid::DepthGrid(const cv::Mat& depth_m, const core::CameraModel& camera, const DepthGrid* before)
     : camera_(camera), depth_m_(sampled(depth_m)) {
   const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
   cv::Mat filled = depth_m_.clone();
@@ -47,8 +46,8 @@ SpaceView::SpaceView(const cv::Mat& depth_m, const core::CameraModel& camera, co
   rays_ = isSameCamera ? before->rays_ : raysOf(size(), camera);
 }
 
-cv::Mat SpaceView::compareWith(const SpaceView& past, const Eigen::Isometry3d& T_past_this, double margin) const {
-  cv::Mat result(size(), CV_8UC1, cv::Scalar(static_cast<int>(Space::Unknown)));
+cv::Mat DepthGrid::compareWith(const DepthGrid& past, const Eigen::Isometry3d& T_past_this) const {
+  cv::Mat result(size(), CV_8UC1, cv::Scalar(static_cast<int>(Seen::Unknown)));
   for (int row = 0; row < result.rows; ++row) {
     const auto* depth = depth_m_.ptr<float>(row);
     const auto* rays = rays_.ptr<cv::Vec2f>(row);
@@ -58,25 +57,20 @@ cv::Mat SpaceView::compareWith(const SpaceView& past, const Eigen::Isometry3d& T
       const auto z = static_cast<double>(depth[column]);
       const Eigen::Vector3d p_this(static_cast<double>(rays[column][0]) * z, static_cast<double>(rays[column][1]) * z,
                                    z);
-      out[column] = static_cast<std::uint8_t>(compare(T_past_this * p_this, past, margin));
+      out[column] = static_cast<std::uint8_t>(past.look(T_past_this * p_this, camera_.depthNoise));
     }
   }
   return result;
 }
 
-Space SpaceView::compare(const Eigen::Vector3d& p_past_m, const SpaceView& past, double margin) const {
-  const double z = p_past_m.z();
-  if (z < 0.3) return Space::Unknown;
-  const Eigen::Vector2d px = past.camera_.projectDistorted(p_past_m) / kStep_px;
+Seen DepthGrid::look(const Eigen::Vector3d& p_m, const core::DepthNoise& ofPoint) const {
+  const auto full_px = pixelOf(p_m, camera_);
+  if (!full_px) return Seen::Unknown;
+  const Eigen::Vector2d px = *full_px / kStep_px;
   const cv::Point at(cvRound(px.x()), cvRound(px.y()));
-  if (!cv::Rect({}, past.size()).contains(at) || past.depth_m_.at<float>(at) <= 0) return Space::Unknown;
-  const auto nearest = static_cast<double>(past.nearest_m_.at<float>(at));
-  const auto farthest = static_cast<double>(past.farthest_m_.at<float>(at));
-  const double here = camera_.depthNoise.sigma_m(z);
-  const double there = past.camera_.depthNoise.sigma_m(nearest);
-  const double limit_m = kBase_m + margin * std::sqrt(here * here + there * there);
-  if (nearest - z > limit_m) return Space::Appeared;
-  return z - farthest > limit_m ? Space::Unknown : Space::Same;
+  if (!cv::Rect({}, size()).contains(at) || depth_m_.at<float>(at) <= 0) return Seen::Unknown;
+  const DepthRange shown{static_cast<double>(nearest_m_.at<float>(at)), static_cast<double>(farthest_m_.at<float>(at))};
+  return seenAt(p_m.z(), shown, ofPoint, camera_.depthNoise);
 }
 
 }  // namespace wardslam::change

@@ -1,103 +1,114 @@
 #include "wardslam/change/instance_motion.h"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "evidence.h"
+#include "moment_window.h"
 #include "wardslam/change/surface_samples.h"
 
 namespace wardslam::change {
 namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
 
 constexpr double kWindow_s = 1.0;
 constexpr double kBetweenMoments_s = 0.1;  // neighbouring images say the same
 constexpr int kSamples = 400;              // of the box around a thing
 constexpr int kSceneSamples = 600;
 
-constexpr double kMostLogOdds = 4.0;
-constexpr double kForRest = 4.0;     // of a thing that was where it is for the whole window
-constexpr double kForMotion = 12.0;  // of a thing that is elsewhere altogether; a third of it is enough
-constexpr double kNews = 0.5;        // share of the newest image in what is known
-constexpr double kKept = 0.95;       // of what is known, per image that tells nothing
-constexpr int kFew = 15;             // fewer points tell nothing
-constexpr double kNoise = 0.1;       // share that seems to have come or gone as contours and depth are rough
+constexpr double kNews = 0.5;   // share of the newest image in what is known
+constexpr double kKept = 0.95;  // of what is known, per image that tells nothing
+constexpr double kNoise = 0.1;  // share that seems to have come or gone as contours and depth are rough
 
-/// What a depth image shows where a point should be.
-enum class Seen { Unknown, Same, Through };
-
-Seen look(const Eigen::Vector3d& p_cam_m, const core::CameraModel& camera, const cv::Mat& depth_m,
-          const cv::Mat& movers) {
-  constexpr double kNearest_m = 0.3;
+/// What full-size depth shows around a pixel; nothing where it is without depth in part.
+std::optional<DepthRange> depthRangeAt(const cv::Mat& depth_m, const cv::Point& at) {
   constexpr int kReach_px = 4;  // what a small error of the pose could show instead
-  constexpr double kBase_m = 0.04;
-  constexpr double kSigmas = 4.0;
-  if (p_cam_m.z() < kNearest_m) return Seen::Unknown;
-  const Eigen::Vector2d px = camera.projectDistorted(p_cam_m);
-  const cv::Point at(cvRound(px.x()), cvRound(px.y()));
   const cv::Rect around(at.x - kReach_px, at.y - kReach_px, 2 * kReach_px + 1, 2 * kReach_px + 1);
-  if ((around & cv::Rect({}, depth_m.size())) != around) return Seen::Unknown;
-  double nearest = 1e9;
-  double farthest = 0.0;
+  if ((around & cv::Rect({}, depth_m.size())) != around) return std::nullopt;
+  DepthRange range{1e9, 0.0};
   for (int dy = -kReach_px; dy <= kReach_px; dy += kReach_px / 2) {
     for (int dx = -kReach_px; dx <= kReach_px; dx += kReach_px / 2) {
       const auto depth = static_cast<double>(depth_m.at<float>(at.y + dy, at.x + dx));
-      if (depth <= 0) return Seen::Unknown;
-      nearest = std::min(nearest, depth);
-      farthest = std::max(farthest, depth);
+      if (depth <= 0) return std::nullopt;
+      range.nearest_m = std::min(range.nearest_m, depth);
+      range.farthest_m = std::max(range.farthest_m, depth);
     }
   }
-  const double z = p_cam_m.z();
-  const double limit_m =
-      kBase_m + kSigmas * std::hypot(camera.depthNoise.sigma_m(z), camera.depthNoise.sigma_m(nearest));
-  if (nearest - z > limit_m) return Seen::Through;
-  const bool isHidden = z - farthest > limit_m;
-  const bool mayBeAnother = movers.at<std::uint8_t>(at) != 0;  // who follows a trolley is soon where it was
-  return isHidden || mayBeAnother ? Seen::Unknown : Seen::Same;
-}
-
-struct Tally {
-  int same = 0;
-  int through = 0;
-
-  void add(Seen seen) {
-    same += seen == Seen::Same ? 1 : 0;
-    through += seen == Seen::Through ? 1 : 0;
-  }
-  /// Share of the points that are elsewhere; nothing where too few of them tell.
-  [[nodiscard]] std::optional<double> changed() const {
-    const int decided = same + through;
-    return decided < kFew ? std::nullopt : std::optional(static_cast<double>(through) / decided);
-  }
-};
-
-/// By the share of the thing that changed since an image that is `span` of the window older.
-double evidenceOf(double changed, double noise, double span) {
-  return changed > noise ? std::min(kForMotion * (changed - noise), kMostLogOdds) : -kForRest * span;
+  return range;
 }
 
 }  // namespace
 
-InstanceMotion::InstanceMotion(const knowledge::MotionRules& rules) : rules_(rules), isMover_(1, 256, CV_8UC1) {
+/// An image of the last second.
+struct InstanceMotion::Moment {
+  double stamp_s = 0.0;
+  Eigen::Isometry3d T_cam_map = Eigen::Isometry3d::Identity();
+  core::CameraModel camera;
+  cv::Mat depth_m;
+  cv::Mat movers;                          ///< CV_8UC1, not 0 on what moves by itself.
+  std::map<std::uint16_t, Points> things;  ///< Points on each movable instance, in the map frame.
+  Points scene;                            ///< Points on none, nor on what moves by itself.
+
+  [[nodiscard]] Seen look(const Eigen::Vector3d& p_map_m) const {
+    const Eigen::Vector3d p_cam = T_cam_map * p_map_m;
+    const auto px = pixelOf(p_cam, camera);
+    if (!px) return Seen::Unknown;
+    const cv::Point at(cvRound(px->x()), cvRound(px->y()));
+    const auto shown = depthRangeAt(depth_m, at);
+    if (!shown) return Seen::Unknown;
+    const Seen seen = seenAt(p_cam.z(), *shown, camera.depthNoise, camera.depthNoise);
+    const bool mayBeAnother = movers.at<std::uint8_t>(at) != 0;  // who follows a trolley is soon where it was
+    return seen == Seen::Same && mayBeAnother ? Seen::Unknown : seen;
+  }
+
+  [[nodiscard]] const Points& thing(std::uint16_t id) const {
+    static const Points kNone;
+    const auto found = things.find(id);
+    return found == things.end() ? kNone : found->second;
+  }
+};
+
+namespace {
+
+/// Share of a surface that is elsewhere, from its points in an image before and in one after. What came and what left
+/// are told apart: one of them may be hidden.
+template <class Moment>
+std::optional<double> changed(const Moment& past, const Points& before, const Moment& now, const Points& after) {
+  SurfaceTally came;
+  SurfaceTally left;
+  for (const auto& p : after) came.add(past.look(p));
+  for (const auto& p : before) left.add(now.look(p));
+  return std::max(came.changed(), left.changed());
+}
+
+}  // namespace
+
+InstanceMotion::InstanceMotion(const knowledge::MotionRules& rules)
+    : rules_(rules), isMover_(1, 256, CV_8UC1), past_(std::make_unique<MomentWindow<Moment>>(kWindow_s)) {
   for (int c = 0; c < 256; ++c) isMover_.at<std::uint8_t>(c) = rules.isMoving(static_cast<core::ClassId>(c)) ? 255 : 0;
 }
 
+InstanceMotion::~InstanceMotion() = default;
+InstanceMotion::InstanceMotion(InstanceMotion&&) noexcept = default;
+
+void InstanceMotion::forgetImages() { past_->clear(); }
+
 void InstanceMotion::update(const core::Frame& frame, const Eigen::Isometry3d& T_map_cam) {
   Moment now = momentOf(frame, T_map_cam);
-  if (!past_.empty() && now.stamp_s <= past_.back().stamp_s) past_.clear();
-  while (!past_.empty() && now.stamp_s - past_.front().stamp_s > kWindow_s) past_.pop_front();
-
-  std::map<std::uint16_t, double> found;
-  for (const Moment* past : references(now.stamp_s)) compare(*past, now, found);
+  past_->advanceTo(now.stamp_s);
+  const auto found = newsOf(now);
   std::map<std::uint16_t, double> present;
   for (const auto& [id, points] : now.things) {
     const auto news = found.find(id);
-    const double known = evidence(id);
-    present[id] = news == found.end() ? kKept * known : known + kNews * (news->second - known);
+    present[id] = news == found.end() ? updated(evidence(id), kKept, 0.0)
+                                      : updated(evidence(id), 1.0 - kNews, kNews * news->second);
   }
   logOdds_ = std::move(present);
-  if (past_.empty() || now.stamp_s - past_.back().stamp_s >= kBetweenMoments_s) past_.push_back(std::move(now));
+  if (past_->empty() || now.stamp_s - past_->newest().stamp_s >= kBetweenMoments_s) past_->add(std::move(now));
 }
 
 double InstanceMotion::evidence(std::uint16_t instanceId) const {
@@ -132,36 +143,17 @@ InstanceMotion::Moment InstanceMotion::momentOf(const core::Frame& frame, const 
   return moment;
 }
 
-std::vector<const InstanceMotion::Moment*> InstanceMotion::references(double stamp_s) const {
-  std::vector<const Moment*> chosen;
-  for (const double share :
-       {1.0, 0.4, 0.2}) {  // slow things need long, things that have just begun to move a short time
-    const auto moment = std::find_if(past_.begin(), past_.end(),
-                                     [&](const Moment& m) { return stamp_s - m.stamp_s <= share * kWindow_s; });
-    if (moment != past_.end() && (chosen.empty() || chosen.back() != &*moment)) chosen.push_back(&*moment);
+std::map<std::uint16_t, double> InstanceMotion::newsOf(const Moment& now) const {
+  std::map<std::uint16_t, double> news;
+  for (const Moment* past : past_->references(now.stamp_s)) {
+    const double noise = std::max(kNoise, 3 * changed(*past, past->scene, now, now.scene).value_or(0.0));
+    const double baseline = past_->baseline(*past, now.stamp_s);
+    for (const auto& [id, points] : now.things) {
+      const auto share = changed(*past, past->thing(id), now, points);
+      if (share) news[id] = combined(news[id], evidenceOfSurface(*share, noise, baseline));
+    }
   }
-  return chosen;
-}
-
-void InstanceMotion::compare(const Moment& past, const Moment& now, std::map<std::uint16_t, double>& evidence) {
-  // What came and what left are told apart: one of them may be hidden.
-  const auto changed = [&](const Points& before, const Points& after) {
-    Tally came;
-    Tally left;
-    for (const auto& p : after) came.add(look(past.T_cam_map * p, past.camera, past.depth_m, past.movers));
-    for (const auto& p : before) left.add(look(now.T_cam_map * p, now.camera, now.depth_m, now.movers));
-    return std::max(came.changed(), left.changed());
-  };
-  const double noise = std::max(kNoise, 3 * changed(past.scene, now.scene).value_or(0.0));
-  const double span = (now.stamp_s - past.stamp_s) / kWindow_s;
-  for (const auto& [id, points] : now.things) {
-    const auto before = past.things.find(id);
-    const auto share = changed(before == past.things.end() ? Points{} : before->second, points);
-    if (!share) continue;
-    const double e = evidenceOf(*share, noise, span);
-    double& strongest = evidence.emplace(id, e).first->second;
-    strongest = e > 0 || strongest > 0 ? std::max(strongest, e) : std::min(strongest, e);  // seen moving once is moving
-  }
+  return news;
 }
 
 }  // namespace wardslam::change

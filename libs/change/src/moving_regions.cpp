@@ -4,10 +4,15 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "free_space.h"
+#include "point_tracker.h"
+#include "region_growth.h"
+#include "wardslam/change/scene_motion.h"
+
 namespace wardslam::change {
 namespace {
 
-constexpr int kCell_px = 2 * SpaceView::kStep_px;
+constexpr int kCell_px = 2 * DepthGrid::kStep_px;
 constexpr double kRests = -0.5;  // log-odds below which a point counts as seen at rest
 
 /// Nearest of the depths in a cell: at an edge the thing in front is what may move.
@@ -28,7 +33,7 @@ cv::Point cellOf(const cv::Point2f& raw_px, const cv::Size& cells) {
           std::min(static_cast<int>(raw_px.y) / kCell_px, cells.height - 1)};
 }
 
-cv::Mat cellsThatAre(Space kind, const cv::Mat& space, const cv::Size& cells) {
+cv::Mat cellsThatAre(Seen kind, const cv::Mat& space, const cv::Size& cells) {
   cv::Mat is = space == static_cast<int>(kind);
   cv::resize(is, is, cells, 0, 0, cv::INTER_AREA);
   return is >= 128;
@@ -43,7 +48,7 @@ void openByPairs(cv::Mat& mask) {
 
 /// Surfaces that came, as cells: connected pieces of at least the area asked for.
 cv::Mat appearedCells(const SceneMotion& motion, const cv::Mat& depth_m, double cellWidth, double minArea_m2) {
-  cv::Mat appeared = motion.space() == static_cast<int>(Space::Appeared);
+  cv::Mat appeared = motion.space() == static_cast<int>(Seen::Through);
   openByPairs(appeared);
   cv::Mat cells;
   cv::resize(appeared, cells, depth_m.size(), 0, 0, cv::INTER_AREA);
@@ -79,7 +84,7 @@ std::vector<PlacedTrack> placedTracks(const SceneMotion& motion, const core::Cam
   std::vector<PlacedTrack> placed;
   for (const Track& track : motion.tracks()) {
     const cv::Point cell = cellOf(track.raw_px, depth_m.size());
-    const Sighting& last = track.sightings.back();
+    const TrackedPosition& last = track.positions.back();
     const double depth = last.hasDepth() ? last.depth.clear_m : static_cast<double>(depth_m.at<float>(cell));
     if (depth > 0) placed.push_back({cell, camera.unproject(last.undistorted_px, depth), track.logOdds});
   }
@@ -111,7 +116,7 @@ Neighbourhood around(const PlacedTrack& track, const std::vector<PlacedTrack>& a
 std::vector<Seed> seedsOf(const std::vector<PlacedTrack>& tracks, const cv::Mat& appeared, const cv::Mat& same,
                           const MovingRegionsOptions& options) {
   constexpr int kWitnesses = 3;
-  const double mayBeInterior_m = options.growth.reach_m / 2;  // a slow thing's inside looks as it did before
+  const double mayBeInterior_m = options.reach_m / 2;  // a slow thing's inside looks as it did before
   std::vector<Seed> seeds;
   for (const PlacedTrack& track : tracks) {
     const auto [logOdds, moving] = around(track, tracks, options.strict_log_odds);
@@ -144,12 +149,12 @@ void giveBackHoles(cv::Mat& moves, const SceneMotion& motion, const cv::Mat& dep
 
 cv::Mat movingRegions(const SceneMotion& motion, const core::CameraModel& camera, const cv::Size& imageSize,
                       const MovingRegionsOptions& options) {
-  const cv::Mat depth_m = cellDepth(motion.view().depth_m());
+  const cv::Mat depth_m = cellDepth(motion.grid().depth_m());
   const double cellWidth = kCell_px / camera.fx_px;
   const cv::Mat appeared = appearedCells(motion, depth_m, cellWidth, options.min_area_m2);
-  const cv::Mat same = cellsThatAre(Space::Same, motion.space(), depth_m.size());
+  const cv::Mat same = cellsThatAre(Seen::Same, motion.space(), depth_m.size());
   const auto tracks = placedTracks(motion, camera, depth_m);
-  cv::Mat moves = growRegions(depth_m, cellWidth, seedsOf(tracks, appeared, same, options), options.growth);
+  cv::Mat moves = growRegions(depth_m, cellWidth, seedsOf(tracks, appeared, same, options), options.reach_m);
   giveBackHoles(moves, motion, depth_m);
   cv::Mat regions;
   cv::resize(moves, regions, imageSize, 0, 0, cv::INTER_NEAREST);

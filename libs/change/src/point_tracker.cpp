@@ -1,4 +1,4 @@
-#include "wardslam/change/point_tracker.h"
+#include "point_tracker.h"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
@@ -73,20 +73,20 @@ class Occupancy {
 /// Between two images nothing comes or goes so fast: the patch slid over an edge onto something else.
 bool slidOff(const Track& track, const core::DepthNoise& noise) {
   constexpr double kFastest_m = 0.12;  // per image
-  const auto& [before, now] = std::pair(*(track.sightings.end() - 2), track.sightings.back());
+  const auto& [before, now] = std::pair(*(track.positions.end() - 2), track.positions.back());
   if (!before.hasDepth() || !now.hasDepth()) return false;
   return std::abs(now.depth.clear_m - before.depth.clear_m) > kFastest_m + 6 * noise.sigma_m(now.depth.clear_m);
 }
 
 void append(Track& track, const core::Frame& frame, std::uint64_t frameNumber, const cv::Point2f& undistorted_px) {
-  Sighting sighting;
-  sighting.frame = frameNumber;
-  sighting.undistorted_px = {static_cast<double>(undistorted_px.x), static_cast<double>(undistorted_px.y)};
-  sighting.depth = depthAround(frame.depth_m, track.raw_px, frame.camera.depthNoise);
-  if (!track.sightings.empty()) {
-    sighting.moved_px = (sighting.undistorted_px - track.sightings.back().undistorted_px).norm();
+  TrackedPosition position;
+  position.frame = frameNumber;
+  position.undistorted_px = {static_cast<double>(undistorted_px.x), static_cast<double>(undistorted_px.y)};
+  position.depth = depthAround(frame.depth_m, track.raw_px, frame.camera.depthNoise);
+  if (!track.positions.empty()) {
+    position.moved_px = (position.undistorted_px - track.positions.back().undistorted_px).norm();
   }
-  track.sightings.push_back(sighting);
+  track.positions.push_back(position);
 }
 
 /// Key points to start at: the strongest of each cell of the image, then the second strongest of each, and so on, so
@@ -111,9 +111,9 @@ std::vector<const core::Keypoint*> bestOfEachCell(const core::Frame& frame) {
 
 }  // namespace
 
-const Sighting* Track::at(std::uint64_t frame) const {
-  if (sightings.empty() || frame < sightings.front().frame || frame > sightings.back().frame) return nullptr;
-  return &sightings[static_cast<std::size_t>(frame - sightings.front().frame)];
+const TrackedPosition* Track::at(std::uint64_t frame) const {
+  if (positions.empty() || frame < positions.front().frame || frame > positions.back().frame) return nullptr;
+  return &positions[static_cast<std::size_t>(frame - positions.front().frame)];
 }
 
 DepthAround depthAround(const cv::Mat& depth_m, const cv::Point2f& raw_px, const core::DepthNoise& noise) {
@@ -167,9 +167,9 @@ void PointTracker::follow(const core::Frame& frame, std::uint64_t frameNumber,
     Track& track = followed[i];
     track.raw_px = raw_px[i];
     append(track, frame, frameNumber, undistorted_px[i]);
-    while (track.sightings.front().frame < oldestFrame) track.sightings.pop_front();
+    while (track.positions.front().frame < oldestFrame) track.positions.pop_front();
     if (occupancy.take(track.raw_px, kApart_px) &&
-        !(track.sightings.size() > 1 && slidOff(track, frame.camera.depthNoise))) {
+        !(track.positions.size() > 1 && slidOff(track, frame.camera.depthNoise))) {
       tracks_.push_back(std::move(track));
     }
   }

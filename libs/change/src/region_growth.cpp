@@ -1,4 +1,4 @@
-#include "wardslam/change/region_growth.h"
+#include "region_growth.h"
 
 #include <array>
 #include <cmath>
@@ -83,9 +83,8 @@ class Growth {
 
 }  // namespace
 
-cv::Mat growRegions(const cv::Mat& depth_m, double cellWidth, const std::vector<Seed>& seeds,
-                    const RegionGrowthOptions& options) {
-  Growth growth(depth_m, cellWidth, options.reach_m);
+cv::Mat growRegions(const cv::Mat& depth_m, double cellWidth, const std::vector<Seed>& seeds, double reach_m) {
+  Growth growth(depth_m, cellWidth, reach_m);
   for (const Seed& seed : seeds) growth.plant(seed);
   return growth.grow();
 }

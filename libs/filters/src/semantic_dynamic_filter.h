@@ -20,7 +20,6 @@ struct SemanticDynamicOptions {
   MovableJudgeOptions judge;
   DynamicTestOptions test;
   int margin_px = 3;
-  bool annotate = true;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -32,7 +31,6 @@ struct SemanticDynamicOptions {
     DynamicTestOptions::describe(self.test, visit);
     visit("margin_px", self.margin_px, {0, 100}, "px",
           "what moves is taken to be this much wider, as networks cut contours short; 0 = as segmented");
-    visit("annotate", self.annotate, "write pixelLabels and confidenceImage of the observation");
   }
 };
 
@@ -41,16 +39,21 @@ struct SemanticDynamicOptions {
 ///     filters:
 ///       - class_name: wardslam::filters::SemanticDynamicFilter
 ///         params:
-///           mode: propagate
-///           rule: observed
-///           margin_px: 3
-///           annotate: true
+///           mode: wait            # for the masks of each image; propagate: take the newest there are, carried here
+///           latency_frames: 0     # propagate: masks come so many frames late; 0 = once they are ready
+///           bridge_s: 0.5         # what the segmenter misses stays for so long
+///           rule: observed        # movable things are judged as wholes; paper: by the movers around each pixel
+///           min_probability: 0.3  # rule observed: from which a movable thing counts as moving
+///           n: 21                 # px, rule paper: side of the square that is searched for movers,
+///           delta: 55             # px, and how many of them it must hold more than
+///           margin_px: 3          # what moves is taken to be this much wider
 ///
 /// Needs a segmenter and a knowledge graph. Segmentation starts in begin(), beside the extraction of key points;
 /// apply() gets the masks from its MaskFeed (which waits for them, or carries older ones here), stores them in
-/// Frame::segmentation, sets Keypoint::motion and Features::signatures (P4-P6), and annotates Frame::observation. A
-/// frame without masks stays static and counts as "filters.no_segmentation". An observation whose range image is not of
-/// the size of the colour image is not annotated ("filters.annotation_size").
+/// Frame::segmentation, sets Keypoint::motion and Features::semanticDescriptors (P4-P6), and adds to Frame::labelBits
+/// what every pixel shows: Person for a class that moves by itself, Movable for one that can be moved, Thing for any
+/// class but those that move, Dynamic where something moves; and to Frame::mayMove what is suspected. A frame without
+/// masks stays static and counts as "filters.no_segmentation".
 class SemanticDynamicFilter : public ObservationFilter {
   DEFINE_MRPT_OBJECT(SemanticDynamicFilter, wardslam::filters)
 
@@ -66,14 +69,14 @@ class SemanticDynamicFilter : public ObservationFilter {
   void markByObservation(core::Frame& frame, const cv::Mat& movers);
   /// Returns the movers with their margin, and has the test ask about them.
   cv::Mat setTestImage(const cv::Mat& classIds, const cv::Mat& movers);
-  void annotate(core::Frame& frame, const cv::Mat& dynamicMask);
 
   SemanticDynamicOptions options_;
   std::unique_ptr<masks::MaskFeed> masks_;
   std::optional<knowledge::MotionRules> rules_;
   std::optional<DynamicTest> test_;
   std::optional<MovableJudge> judge_;
-  cv::Mat movingIds_;  ///< 1×256: the id of each class that moves by itself, 0 of the others.
+  cv::Mat movingIds_;    ///< 1×256: the id of each class that moves by itself, 0 of the others.
+  cv::Mat classLabels_;  ///< 1×256: bits of PixelLabel for each class.
   bool isBegun_ = false;
 };
 

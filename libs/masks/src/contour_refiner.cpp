@@ -91,7 +91,7 @@ void refineInstance(const ContourOptions& options, SmallImages& small, core::Ins
   if (extent.empty()) return;
   const cv::Rect box = widened(extent, kSurroundings_px, small.instanceIds.size());
   cv::Mat ids = small.instanceIds(box);
-  InstanceView view;
+  InstanceCrop view;
   view.inverseDepth = small.inverseDepth(box);
   view.color_bgr = small.color_bgr(box);
   view.mask = ids == instance.id;

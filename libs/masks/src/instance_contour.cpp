@@ -52,7 +52,7 @@ cv::Mat reachedFrom(const cv::Mat& seeds, int steps, const MayStep& mayStep) {
 
 }  // namespace
 
-InstanceContour::InstanceContour(const InstanceView& view, const ContourOptions& options)
+InstanceContour::InstanceContour(const InstanceCrop& view, const ContourOptions& options)
     : view_(view),
       options_(options),
       measured_(view.inverseDepth > 0),

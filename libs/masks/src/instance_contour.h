@@ -9,7 +9,7 @@
 namespace wardslam::masks {
 
 /// What one instance and its surroundings look like, at the resolution contours are worked out in.
-struct InstanceView {
+struct InstanceCrop {
   cv::Mat inverseDepth;             ///< CV_32FC1, 1/m, 0 = none.
   cv::Mat color_bgr;                ///< CV_8UC3
   cv::Mat mask;                     ///< CV_8UC1, 255 on the instance.
@@ -24,7 +24,7 @@ inline constexpr int kSurroundings_px = 18;
 /// Works out the mask of one instance anew; see ContourRefiner for the steps.
 class InstanceContour {
  public:
-  InstanceContour(const InstanceView& view, const ContourOptions& options);
+  InstanceContour(const InstanceCrop& view, const ContourOptions& options);
 
   /// CV_8UC1, 255 on the instance; covers none of the other instances.
   [[nodiscard]] cv::Mat refined();
@@ -37,7 +37,7 @@ class InstanceContour {
   [[nodiscard]] std::vector<char> findForeignSurfaces() const;
   [[nodiscard]] bool isJoined(cv::Point a, cv::Point b) const;
 
-  const InstanceView& view_;
+  const InstanceCrop& view_;
   const ContourOptions& options_;
   cv::Mat measured_;   ///< 255 where there is depth.
   cv::Mat available_;  ///< 255 where no other instance is.

@@ -120,7 +120,7 @@ void putClasses(ByteWriter& out, const std::map<core::ClassId, std::string>& cla
 }
 
 void putFeatures(ByteWriter& out, const CObservationSemanticRGBD& observation) {
-  const auto& [keypoints, descriptors, signatures] = observation.features;
+  const auto& [keypoints, descriptors, semanticDescriptors] = observation.features;
   out.put(static_cast<std::uint32_t>(keypoints.size()));
   for (const Keypoint& keypoint : keypoints) put(out, keypoint);
   out.putBytes(observation.states.data(), observation.states.size());
@@ -128,7 +128,7 @@ void putFeatures(ByteWriter& out, const CObservationSemanticRGBD& observation) {
 }
 
 void getFeatures(ByteReader& in, CObservationSemanticRGBD& observation) {
-  auto& [keypoints, descriptors, signatures] = observation.features;
+  auto& [keypoints, descriptors, semanticDescriptors] = observation.features;
   keypoints.resize(getCount(in, kOrbBytes));
   for (Keypoint& keypoint : keypoints) keypoint = get<Keypoint>(in);
   observation.states.resize(keypoints.size());

@@ -26,7 +26,8 @@ struct FilterContext {
 };
 
 /// A link of the chain between the sensor and the odometry. It looks at a frame and marks what must not be trusted:
-/// Keypoint::motion, and annotations on Frame::observation.
+/// Keypoint::motion, and pixels (core::addDynamic() and its neighbours), from which Frame::observation is annotated
+/// after the last link. What the links before it found, it reads there.
 ///
 /// Filters are made by class name through MRPT's run-time class registry, so that one may live in a plug-in library.
 class ObservationFilter : public mrpt::rtti::CObject {

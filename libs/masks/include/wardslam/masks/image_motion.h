@@ -17,8 +17,8 @@ struct SmallPicture {
 /// About 320 pixels wide. `gray`: CV_8UC1. `depth_m`: CV_32FC1 of the same size, 0 = none; or empty: none anywhere.
 [[nodiscard]] SmallPicture shrink(const cv::Mat& gray, const cv::Mat& depth_m, double stamp_s);
 
-/// How the image moves from picture to picture, densely: DIS optical flow (Kroeger et al., "Fast Optical Flow using
-/// Dense Inverse Search", ECCV 2016).
+/// Motion of every pixel against the picture before, whatever made it: dense optical flow by DIS (Kroeger et al., "Fast
+/// Optical Flow using Dense Inverse Search", ECCV 2016).
 class ImageMotion {
  public:
   ImageMotion();

@@ -50,6 +50,7 @@ struct SegmentationSection : segmentation::SegmentationOptions {
 /// The whole configuration of a SlamSystem: one section per room.
 struct SlamOptions {
   bool deterministic = false;
+  bool annotate = true;
   sources::SourceSettings sources;
   features::OrbOptions features;
   SegmentationSection segmentation;
@@ -77,6 +78,8 @@ struct SlamOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("deterministic", self.deterministic, "same input, same bytes out; tracking then waits for adjustments");
+    visit("annotate", self.annotate,
+          "write what filters found into pixelLabels and confidenceImage of the observation");
     visit.group("sources", self.sources);
     visit.group("features", self.features);
     visit.group("segmentation", self.segmentation);

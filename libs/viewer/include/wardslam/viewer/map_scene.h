@@ -3,11 +3,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "wardslam/core/mrpt_compat.h"
 #include "wardslam/mapping/semantic_map.h"
-
-namespace mrpt::opengl {
-class COpenGLScene;
-}
 
 namespace wardslam::viewer {
 
