@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "furniture.h"
+#include "hospital/hospital_sight.h"
 #include "hospital/hospital_textures.h"
 
 namespace wardslam::synth {
@@ -65,9 +66,9 @@ class Walls {
     addFloorAndCeiling();
     for (const Side& side : sidesOf(room_)) addSide(side);
     for (const Door& door : plan_.doors) {
-      if (door.room == index_) addFrame(door);
+      if (ownerOf(door) == index_) addFrame(door);
     }
-    return {{0, room_.id, 0, ""}, placed(parts_.take(), room_.T_world_room)};
+    return {{0, room_.id, 0, ""}, placed(parts_.take(), room_.T_world_room), static_cast<int>(index_)};
   }
 
  private:
@@ -107,7 +108,8 @@ void Walls::addFloorAndCeiling() {
       const Vector2f begin(static_cast<float>(i) * size.x(), static_cast<float>(k) * size.y());
       const float x = begin.x() - w / 2;
       parts_.addExact(Material::Floor, panel({x, begin.y(), 0}, {size.x(), 0, 0}, {0, size.y(), 0})
-                                           .mapUv(place + begin / kFloorTexture_m, size / kFloorTexture_m));
+                                           .mapUv(place + Vector2f(begin.x(), -begin.y() - size.y()) / kFloorTexture_m,
+                                                  size / kFloorTexture_m));
       parts_.addExact(Material::Ceiling,
                       panel({x, begin.y() + size.y(), plan_.height_m}, {size.x(), 0, 0}, {0, -size.y(), 0})
                           .mapUv(begin / kCeilingTexture_m, size / kCeilingTexture_m));
@@ -125,9 +127,9 @@ void Walls::addPiece(const Side& side, Interval part, float bottom_m, Material m
     const float begin_m = part.from_m + i * step_m;
     const Vector2f origin = side.from_m + begin_m * side.along + kHalfWall_m * inwards;
     const Vector2f u = step_m * side.along;
-    parts_.addExact(material, panel({origin.x(), origin.y(), bottom_m}, {u.x(), u.y(), 0}, {0, 0, height_m})
-                                  .mapUv({begin_m / kWallTexture_m, 0},
-                                         {step_m / kWallTexture_m, height_m / plan_.height_m}));
+    parts_.addExact(material,
+                    panel({origin.x(), origin.y(), bottom_m}, {u.x(), u.y(), 0}, {0, 0, height_m})
+                        .mapUv({begin_m / kWallTexture_m, 0}, {step_m / kWallTexture_m, height_m / plan_.height_m}));
   }
 }
 
@@ -169,14 +171,12 @@ void Walls::addSide(const Side& side) {
     const float b = side.placeOf(to);
     openings.push_back({{std::min(a, b), std::max(a, b)}, door.height_m});
   }
-  std::sort(openings.begin(), openings.end(), [](const Opening& a, const Opening& b) {
-    return a.part.from_m < b.part.from_m;
-  });
+  std::sort(openings.begin(), openings.end(),
+            [](const Opening& a, const Opening& b) { return a.part.from_m < b.part.from_m; });
   float done_m = kHalfWall_m;
   for (const Opening& opening : openings) {
     addSolid(side, {done_m, opening.part.from_m});
-    if (opening.height_m < plan_.height_m - 1e-3F)
-      addPiece(side, opening.part, opening.height_m, wallOf(room_.kind));
+    if (opening.height_m < plan_.height_m - 1e-3F) addPiece(side, opening.part, opening.height_m, wallOf(room_.kind));
     done_m = opening.part.to_m;
   }
   addSolid(side, {done_m, side.length_m - kHalfWall_m});

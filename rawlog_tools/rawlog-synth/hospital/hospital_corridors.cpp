@@ -33,8 +33,8 @@ void hangAlong(Furnisher& f, std::size_t index, bool north) {
   const auto inner = static_cast<float>(north ? y - kHalfWall_m : y + kHalfWall_m);
   for (double x = room.area_m.min().x() + 0.8; x < room.area_m.max().x() - 0.8; x += f.rng().uniform(1.3, 2.6)) {
     if (!isPlainWall(f.plan(), index, x, y)) continue;
-    const Isometry3f wall = room.T_world_room.inverse() *
-                            at(static_cast<float>(x), inner, 0, north ? -kPi / 2 : kPi / 2);
+    const Isometry3f wall =
+        room.T_world_room.inverse() * at(static_cast<float>(x), inner, 0, north ? -kPi / 2 : kPi / 2);
     const int what = f.rng().uniform(0, 10);
     const float height_m = f.rng().uniform(1.6F, 1.8F);
     if (what == 0) {
@@ -57,7 +57,8 @@ void addChairs(Furnisher& f, std::size_t index) {
     const double y = north ? room.area_m.max().y() - 0.4 : room.area_m.min().y() + 0.4;
     const int chairs = f.rng().uniform(1, 4);
     for (int i = 0; i < chairs; ++i) {
-      const Isometry3f place = at(static_cast<float>(x + 0.57 * i), static_cast<float>(y), 0, north ? -kPi / 2 : kPi / 2);
+      const Isometry3f place =
+          at(static_cast<float>(x + 0.57 * i), static_cast<float>(y), 0, north ? -kPi / 2 : kPi / 2);
       f.put(ItemKind::Chair, index, room.T_world_room.inverse() * place);
     }
   }

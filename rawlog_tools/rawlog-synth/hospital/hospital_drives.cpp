@@ -55,6 +55,12 @@ Polyline visitTo(const HospitalPlan& plan, const Door& door) {
   return way;
 }
 
+Polyline doorstep(const HospitalPlan& plan, const Door& door) {
+  const double depth_m = plan.rooms[door.room].kind == RoomKind::NurseStation ? 0.5 : 1.2;  // its counter is there
+  const Vector2d front = frontOf(plan, door);
+  return {front, door.middle_m() + (door.middle_m() - front).normalized() * depth_m};
+}
+
 Vector2d junction(const HospitalPlan& plan, std::size_t corridor, std::size_t crossing) {
   return {plan.rooms[plan.crossings[crossing]].area_m.center().x(), plan.rooms[corridor].area_m.center().y()};
 }
@@ -85,10 +91,7 @@ std::vector<Polyline> allDrives(const HospitalPlan& plan) {
       round.push_back(round.front());
       drives.push_back(round);
     } else {
-      const Vector2d doorstep = door.middle_m();
-      const double depth_m = room.kind == RoomKind::NurseStation ? 0.5 : 1.2;  // its counter stands there
-      const Vector2d in = doorstep + (doorstep - frontOf(plan, door)).normalized() * depth_m;
-      drives.push_back({frontOf(plan, door), in});
+      drives.push_back(doorstep(plan, door));
     }
   }
   drives.push_back(alongCorridor(plan));

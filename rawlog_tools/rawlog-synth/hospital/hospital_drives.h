@@ -17,6 +17,8 @@ using Polyline = std::vector<Eigen::Vector2d>;
 [[nodiscard]] bool isVisited(const HospitalPlan& plan, const Door& door);
 /// From the corridor into the room, around in it and back to where it began.
 [[nodiscard]] Polyline visitTo(const HospitalPlan& plan, const Door& door);
+/// From the corridor a step into a room that the rounds do not go into.
+[[nodiscard]] Polyline doorstep(const HospitalPlan& plan, const Door& door);
 /// The round within the room alone.
 [[nodiscard]] Polyline roundIn(const Room& room);
 /// Where a corridor and a crossing meet. `crossing`: 0 to 2, from west to east.

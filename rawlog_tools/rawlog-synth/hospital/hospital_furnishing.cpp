@@ -11,17 +11,28 @@ cv::RNG numbersFor(std::uint32_t seed, std::uint64_t what) {
 
 void furnishRoom(Furnisher& f, std::size_t index, bool patients) {
   switch (f.plan().rooms[index].kind) {
-    case RoomKind::Corridor: return furnishCorridor(f, index);
-    case RoomKind::Ward: return furnishWard(f, index, patients);
-    case RoomKind::NurseStation: return furnishNurseStation(f, index);
-    case RoomKind::Lobby: return furnishLobby(f, index);
-    case RoomKind::DayRoom: return furnishDayRoom(f, index);
-    case RoomKind::Store: return furnishStore(f, index);
-    case RoomKind::Toilet: return furnishToilet(f, index);
-    case RoomKind::Bath: return furnishBath(f, index);
-    case RoomKind::Office: return furnishOffice(f, index);
-    case RoomKind::Treatment: return furnishTreatment(f, index, patients);
-    case RoomKind::Utility: return furnishUtility(f, index);
+    case RoomKind::Corridor:
+      return furnishCorridor(f, index);
+    case RoomKind::Ward:
+      return furnishWard(f, index, patients);
+    case RoomKind::NurseStation:
+      return furnishNurseStation(f, index);
+    case RoomKind::Lobby:
+      return furnishLobby(f, index);
+    case RoomKind::DayRoom:
+      return furnishDayRoom(f, index);
+    case RoomKind::Store:
+      return furnishStore(f, index);
+    case RoomKind::Toilet:
+      return furnishToilet(f, index);
+    case RoomKind::Bath:
+      return furnishBath(f, index);
+    case RoomKind::Office:
+      return furnishOffice(f, index);
+    case RoomKind::Treatment:
+      return furnishTreatment(f, index, patients);
+    case RoomKind::Utility:
+      return furnishUtility(f, index);
   }
 }
 

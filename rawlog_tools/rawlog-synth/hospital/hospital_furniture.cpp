@@ -124,20 +124,24 @@ Surfaces makeCounter(float width_m, cv::RNG& rng) {
 
 Surfaces makeToilet(cv::RNG& rng) {
   Assembly toilet(rng);
-  toilet.add(Material::BareWall, loft({{0, 0.14F, 0.11F, 0.32F}, {0.2F, 0.17F, 0.13F, 0.33F}, {0.4F, 0.27F, 0.19F, 0.38F},
+  toilet.add(Material::BareWall, loft({{0, 0.14F, 0.11F, 0.32F},
+                                       {0.2F, 0.17F, 0.13F, 0.33F},
+                                       {0.4F, 0.27F, 0.19F, 0.38F},
                                        {0.41F, 0.0F, 0.0F, 0.38F}},
                                       14));
   toilet.add(Material::Plastic, boxAt({0.38F, 0, 0.42F}, {0.4F, 0.36F, 0.03F}));
   toilet.add(Material::BareWall, boxAt({0.09F, 0, 0.6F}, {0.18F, 0.4F, 0.42F}));
-  for (const float y : {-0.36F, 0.36F})
-    toilet.add(Material::Metal, bar({0, y, 0.78F}, {0.7F, y, 0.78F}, 0.017F));
+  for (const float y : {-0.36F, 0.36F}) toilet.add(Material::Metal, bar({0, y, 0.78F}, {0.7F, y, 0.78F}, 0.017F));
   return toilet.take();
 }
 
 Surfaces makeBasin(cv::RNG& rng) {
   Assembly basin(rng);
-  basin.add(Material::BareWall, loft({{0.68F, 0.08F, 0.1F, 0.2F}, {0.8F, 0.2F, 0.24F, 0.22F}, {0.87F, 0.22F, 0.28F, 0.22F},
-                                      {0.86F, 0.17F, 0.23F, 0.23F}, {0.78F, 0.0F, 0.0F, 0.22F}},
+  basin.add(Material::BareWall, loft({{0.68F, 0.08F, 0.1F, 0.2F},
+                                      {0.8F, 0.2F, 0.24F, 0.22F},
+                                      {0.87F, 0.22F, 0.28F, 0.22F},
+                                      {0.86F, 0.17F, 0.23F, 0.23F},
+                                      {0.78F, 0.0F, 0.0F, 0.22F}},
                                      14));
   basin.add(Material::BareWall, boxAt({0.06F, 0, 0.4F}, {0.12F, 0.16F, 0.8F}));
   basin.add(Material::Metal, bar({0.05F, 0, 0.87F}, {0.05F, 0, 1.02F}, 0.015F));
@@ -153,7 +157,8 @@ Surfaces makeDesk(cv::RNG& rng) {
   for (const float y : {-0.68F, 0.68F}) desk.add(Material::Metal, boxAt({0.35F, y, 0.36F}, {0.64F, 0.03F, 0.72F}));
   desk.add(Material::Rubber, boxAt({0.2F, 0, 0.97F}, {0.04F, 0.54F, 0.34F}));
   desk.add(Material::Rubber, boxAt({0.18F, 0, 0.78F}, {0.1F, 0.16F, 0.1F}));
-  desk.addExact(Material::Screens, panel({0.225F, -0.25F, 0.82F}, {0, 0.5F, 0}, {0, 0, 0.3F}).mapUv({0.5F, 0}, {0.5F, 1}));
+  desk.addExact(Material::Screens,
+                panel({0.225F, -0.25F, 0.82F}, {0, 0.5F, 0}, {0, 0, 0.3F}).mapUv({0.5F, 0}, {0.5F, 1}));
   desk.add(Material::Linen, boxAt({0.45F, 0.45F, 0.77F}, {0.3F, 0.22F, 0.04F}));
   return desk.take();
 }
@@ -173,7 +178,7 @@ Surfaces makePatient(int variant) {
 Surfaces makeCoveredBody(cv::RNG& rng) {
   Assembly cover(rng);
   cover.add(Material::Blanket, ellipsoid({0.62F, 0.34F, 0.2F}, 6, 14).transform(at(1.42F, 0, 0.62F)));
-  cover.add(Material::Blanket, ellipsoid({0.16F, 0.26F, 0.27F}, 6, 12).transform(at(1.86F, 0, 0.58F)));
+  cover.add(Material::Blanket, ellipsoid({0.17F, 0.28F, 0.36F}, 6, 12).transform(at(1.86F, 0, 0.58F)));
   return cover.take();
 }
 
@@ -185,7 +190,8 @@ Surfaces makeDoorLeaf(float width_m, float height_m, float opening_rad, cv::RNG&
     const float y = side * (kThickness_m / 2 + 0.002F);
     const float begin = side > 0 ? width_m : 0.0F;
     leaf.addExact(Material::DoorLeaf, panel({begin, y, 0}, {-side * width_m, 0, 0}, {0, 0, height_m}));
-    leaf.add(Material::Metal, bar({width_m - 0.08F, side * 0.06F, 1.03F}, {width_m - 0.22F, side * 0.06F, 1.03F}, 0.011F));
+    leaf.add(Material::Metal,
+             bar({width_m - 0.08F, side * 0.06F, 1.03F}, {width_m - 0.22F, side * 0.06F, 1.03F}, 0.011F));
   }
   return placed(leaf.take(), at(0, 0, 0, opening_rad));
 }
@@ -193,8 +199,9 @@ Surfaces makeDoorLeaf(float width_m, float height_m, float opening_rad, cv::RNG&
 Surfaces makeWindow(float width_m, float place, cv::RNG& rng) {
   constexpr float kHeight_m = 1.4F;
   Assembly window(rng);
-  window.addExact(Material::WindowView, panel({0.01F, -width_m / 2, 0}, {0, width_m, 0}, {0, 0, kHeight_m})
-                                            .mapUv({place, 0}, {width_m / 12, 1}));
+  window.addExact(
+      Material::WindowView,
+      panel({0.01F, -width_m / 2, 0}, {0, width_m, 0}, {0, 0, kHeight_m}).mapUv({place, 0}, {width_m / 12, 1}));
   window.add(Material::Plastic, boxAt({0.06F, 0, -0.03F}, {0.22F, width_m + 0.1F, 0.05F}));
   window.add(Material::BareWall, boxAt({0.03F, 0, kHeight_m}, {0.06F, width_m + 0.1F, 0.07F}));
   const int panes = std::max(2, static_cast<int>(width_m / 0.9F));
@@ -209,7 +216,8 @@ Surfaces makeSign(int cell, float width_m, cv::RNG& rng) {
   Assembly sign(rng);
   const float height_m = width_m / kSignAspect;
   sign.add(Material::Metal, boxAt({0.008F, 0, 0}, {0.016F, width_m + 0.02F, height_m + 0.02F}));
-  sign.addExact(Material::Signs, signPanel(cell, {0.02F, -width_m / 2, -height_m / 2}, {0, width_m, 0}, {0, 0, height_m}));
+  sign.addExact(Material::Signs,
+                signPanel(cell, {0.02F, -width_m / 2, -height_m / 2}, {0, width_m, 0}, {0, 0, height_m}));
   return sign.take();
 }
 

@@ -94,40 +94,65 @@ bool parted(const std::array<Vector2d, 4>& a, const std::array<Vector2d, 4>& b) 
 core::ClassId classIdOf(ItemKind kind) { return of(kind).classId; }
 const char* classNameOf(ItemKind kind) { return of(kind).className; }
 bool isMovable(ItemKind kind) { return of(kind).movable; }
-std::string nameOf(const Item& item) {
-  return std::string(classNameOf(item.kind)) + "_" + std::to_string(item.number);
-}
+std::string nameOf(const Item& item) { return std::string(classNameOf(item.kind)) + "_" + std::to_string(item.number); }
 
 Surfaces modelOf(const Item& item) {
   cv::RNG rng(item.modelSeed + 1);
   switch (item.kind) {
-    case ItemKind::Bed: return makeOccupied(item, rng);
-    case ItemKind::Cabinet: return makeBedsideCabinet(rng);
-    case ItemKind::IvStand: return makeIvStand(rng);
-    case ItemKind::Chair: return makeChair(rng);
-    case ItemKind::Trolley: return makeTrolley(rng);
-    case ItemKind::Wheelchair: return makeWheelchair(rng);
-    case ItemKind::Screen: return makeFoldingScreen(rng);
-    case ItemKind::TrashBin: return makeTrashBin(rng);
-    case ItemKind::Plant: return makePlant(rng);
-    case ItemKind::Table: return makeTable(rng);
-    case ItemKind::Curtain: return makeCurtain(item.size_m, 2.3F, kHospitalCeiling_m, rng);
-    case ItemKind::Shelf: return makeShelf(item.size_m, rng);
-    case ItemKind::Counter: return makeCounter(item.size_m, rng);
-    case ItemKind::Desk: return makeDesk(rng);
-    case ItemKind::Toilet: return makeToilet(rng);
-    case ItemKind::Basin: return makeBasin(rng);
-    case ItemKind::DoorLeaf: return makeDoorLeaf(item.size_m, 2.06F, item.opening_rad, rng);
-    case ItemKind::Window: return makeWindow(item.size_m, 0.1F * static_cast<float>(item.variant), rng);
-    case ItemKind::Picture: return makePicture(item.variant, item.size_m, rng);
-    case ItemKind::Sign: return makeSign(item.variant, item.size_m, rng);
-    case ItemKind::HangingSign: return makeHangingSign(item.variant, kHospitalCeiling_m, rng);
-    case ItemKind::Outlets: return makeOutletPanel(rng);
-    case ItemKind::Monitor: return makePatientMonitor(rng);
-    case ItemKind::Television: return makeTelevision(rng);
-    case ItemKind::Extinguisher: return makeExtinguisher(rng);
-    case ItemKind::Dispenser: return makeDispenser(rng);
-    case ItemKind::Whiteboard: return makeWhiteboard(rng);
+    case ItemKind::Bed:
+      return makeOccupied(item, rng);
+    case ItemKind::Cabinet:
+      return makeBedsideCabinet(rng);
+    case ItemKind::IvStand:
+      return makeIvStand(rng);
+    case ItemKind::Chair:
+      return makeChair(rng);
+    case ItemKind::Trolley:
+      return makeTrolley(rng);
+    case ItemKind::Wheelchair:
+      return makeWheelchair(rng);
+    case ItemKind::Screen:
+      return makeFoldingScreen(rng);
+    case ItemKind::TrashBin:
+      return makeTrashBin(rng);
+    case ItemKind::Plant:
+      return makePlant(rng);
+    case ItemKind::Table:
+      return makeTable(rng);
+    case ItemKind::Curtain:
+      return makeCurtain(item.size_m, 2.3F, kHospitalCeiling_m, rng);
+    case ItemKind::Shelf:
+      return makeShelf(item.size_m, rng);
+    case ItemKind::Counter:
+      return makeCounter(item.size_m, rng);
+    case ItemKind::Desk:
+      return makeDesk(rng);
+    case ItemKind::Toilet:
+      return makeToilet(rng);
+    case ItemKind::Basin:
+      return makeBasin(rng);
+    case ItemKind::DoorLeaf:
+      return makeDoorLeaf(item.size_m, 2.06F, item.opening_rad, rng);
+    case ItemKind::Window:
+      return makeWindow(item.size_m, 0.1F * static_cast<float>(item.variant), rng);
+    case ItemKind::Picture:
+      return makePicture(item.variant, item.size_m, rng);
+    case ItemKind::Sign:
+      return makeSign(item.variant, item.size_m, rng);
+    case ItemKind::HangingSign:
+      return makeHangingSign(item.variant, kHospitalCeiling_m, rng);
+    case ItemKind::Outlets:
+      return makeOutletPanel(rng);
+    case ItemKind::Monitor:
+      return makePatientMonitor(rng);
+    case ItemKind::Television:
+      return makeTelevision(rng);
+    case ItemKind::Extinguisher:
+      return makeExtinguisher(rng);
+    case ItemKind::Dispenser:
+      return makeDispenser(rng);
+    case ItemKind::Whiteboard:
+      return makeWhiteboard(rng);
   }
   return {};
 }

@@ -42,11 +42,11 @@ enum class ItemKind {
 struct Item {
   int identity = 0;
   ItemKind kind = ItemKind::Chair;
-  int number = 0;      ///< Among all of its class; its name ends with it.
-  int variant = 0;     ///< Poster, cell of the signs, chart, who lies in a bed.
+  int number = 0;       ///< Among all of its class; its name ends with it.
+  int variant = 0;      ///< Poster, cell of the signs, chart, who lies in a bed.
   float size_m = 1.0F;  ///< Width or length, of what comes in several.
   float opening_rad = 0.0F;
-  bool occupied = false;  ///< Of a bed: somebody lies in it.
+  bool occupied = false;        ///< Of a bed: somebody lies in it.
   std::uint64_t modelSeed = 0;  ///< The same seed, the same looks.
   std::size_t room = 0;
   Eigen::Isometry3f T_world_item = Eigen::Isometry3f::Identity();

@@ -72,12 +72,11 @@ bool Placing::sparesDoors(const Item& item) const {
     const Room& room = plan_.rooms[door.room];
     const Vector2d into = (room.area_m.center() - door.middle_m()).y() > 0 ? Vector2d(0, 1) : Vector2d(0, -1);
     const double width_m = (door.to_m - door.from_m).norm();
-    const bool hit =
-        anyAlong({door.from_m, door.to_m}, [&](const Vector2d& p) {
-          const double inside_m = door.state == DoorState::Passage ? 0.7 : width_m + 0.1;
-          return anyAlong({p - 0.7 * into, p + inside_m * into},
-                          [&](const Vector2d& q) { return distanceTo(item, q) < 0.04; });
-        });
+    const bool hit = anyAlong({door.from_m, door.to_m}, [&](const Vector2d& p) {
+      const double inside_m = door.state == DoorState::Passage ? 0.7 : width_m + 0.1;
+      return anyAlong({p - 0.7 * into, p + inside_m * into},
+                      [&](const Vector2d& q) { return distanceTo(item, q) < 0.04; });
+    });
     if (hit) return false;
   }
   return true;
@@ -97,9 +96,8 @@ bool Placing::isClear(const Item& item) const {
   wide.min().array() -= kDriveClearance_m;
   wide.max().array() += kDriveClearance_m;
   for (const Polyline& drive : drives_) {
-    const bool hit = anyAlong(drive, [&](const Vector2d& p) {
-      return wide.contains(p) && distanceTo(item, p) < kDriveClearance_m;
-    });
+    const bool hit =
+        anyAlong(drive, [&](const Vector2d& p) { return wide.contains(p) && distanceTo(item, p) < kDriveClearance_m; });
     if (hit) return false;
   }
   return sparesDoors(item);

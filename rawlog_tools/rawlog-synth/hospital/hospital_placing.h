@@ -24,8 +24,8 @@ class Placing {
   [[nodiscard]] std::optional<Eigen::Isometry3f> atWall(Item item, std::size_t room, const std::vector<Item>& others,
                                                         cv::RNG& rng) const;
   /// Anywhere in the room.
-  [[nodiscard]] std::optional<Eigen::Isometry3f> anywhere(Item item, std::size_t room,
-                                                          const std::vector<Item>& others, cv::RNG& rng) const;
+  [[nodiscard]] std::optional<Eigen::Isometry3f> anywhere(Item item, std::size_t room, const std::vector<Item>& others,
+                                                          cv::RNG& rng) const;
 
  private:
   [[nodiscard]] bool sparesDoors(const Item& item) const;

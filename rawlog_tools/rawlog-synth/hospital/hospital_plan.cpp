@@ -74,7 +74,7 @@ void Planner::takeMeasures() {
   m_.ward_m = rng_.uniform(8.2, 8.8);
   m_.south_m = m_.north_m = rng_.uniform(6.4, 6.9);  // wards on both sides look the same
   m_.core_m = rng_.uniform(4.8, 5.6);
-  m_.corridor_m = rng_.uniform(3.3, 3.6);
+  m_.corridor_m = rng_.uniform(3.45, 3.7);
   middle_m_ = m_.length_m / 2 + rng_.uniform(-3.5, 1.5);
   plan_.size_m = {m_.length_m, northFrom_m() + m_.north_m};
 }
@@ -122,9 +122,8 @@ void Planner::addDoorOf(std::size_t index, bool toNorth) {
   const Room& room = plan_.rooms[index];
   const double y = toNorth ? room.area_m.max().y() : room.area_m.min().y();
   const double x = room.area_m.center().x();
-  const std::size_t corridor = std::abs(y - m_.south_m) < 0.1 || std::abs(y - coreFrom_m()) < 0.1
-                                   ? plan_.corridorA
-                                   : plan_.corridorB;
+  const std::size_t corridor =
+      std::abs(y - m_.south_m) < 0.1 || std::abs(y - coreFrom_m()) < 0.1 ? plan_.corridorA : plan_.corridorB;
   switch (room.kind) {
     case RoomKind::Lobby:
     case RoomKind::DayRoom:
@@ -238,9 +237,8 @@ void Planner::numberTheWards() {
   for (Room& room : plan_.rooms) {
     if (room.kind == RoomKind::Ward) room.name += " " + std::to_string(++ward);
     room.id = room.name;
-    std::transform(room.id.begin(), room.id.end(), room.id.begin(), [](char c) {
-      return c == ' ' ? '-' : static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    });
+    std::transform(room.id.begin(), room.id.end(), room.id.begin(),
+                   [](char c) { return c == ' ' ? '-' : static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
   }
 }
 

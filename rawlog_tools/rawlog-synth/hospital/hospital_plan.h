@@ -8,19 +8,7 @@
 /// The plan of a storey: rooms, doors, windows. World frame: x along the long corridors, y across them, z up; metres.
 namespace wardslam::synth {
 
-enum class RoomKind {
-  Corridor,
-  Ward,
-  NurseStation,
-  Lobby,
-  DayRoom,
-  Store,
-  Toilet,
-  Bath,
-  Office,
-  Treatment,
-  Utility
-};
+enum class RoomKind { Corridor, Ward, NurseStation, Lobby, DayRoom, Store, Toilet, Bath, Office, Treatment, Utility };
 [[nodiscard]] const char* nameOf(RoomKind kind);
 
 /// A rectangle between the middles of its walls.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hospital/hospital_furniture.h"
+#include "hospital/hospital_sight.h"
 #include "mesh.h"
 #include "textures.h"
 
@@ -29,7 +30,7 @@ void addBedPlace(Furnisher& f, std::size_t room, int slot, const Isometry3f& wal
   f.put(ItemKind::Bed, room, head * at(f.rng().uniform(0.0F, 0.05F), 0, 0, f.rng().uniform(-0.03F, 0.03F)),
         {12 + slot % 3, 1.0F, occupied});
   f.putNudged(ItemKind::Cabinet, room, head * at(0.28F, 0.88F, 0));
-  if (slot % 2 == 0) f.putNudged(ItemKind::IvStand, room, head * at(0.5F, -0.86F, 0));
+  if (slot % 2 == 0) f.putNudged(ItemKind::IvStand, room, head * at(0.5F, -0.96F, 0));
   f.putNudged(ItemKind::Chair, room, head * at(1.35F, -0.95F, 0, 1.3F));
   f.put(ItemKind::Outlets, room, wall * at(0, 0, 1.45F));
   f.put(ItemKind::Monitor, room, wall * at(0, 0.42F, 1.85F));
@@ -67,7 +68,7 @@ void addRow(Furnisher& f, std::size_t room, const Isometry3f& middle, int chairs
 
 void furnishWard(Furnisher& f, std::size_t index, bool patients) {
   const Room& room = f.plan().rooms[index];
-  const float ys[] = {2.0F, room.depth_m() - 1.55F};
+  const float ys[] = {2.15F, room.depth_m() - 1.55F};
   for (int slot = 0; slot < 4; ++slot) {
     const float y = ys[slot / 2];
     addBedPlace(f, index, slot, slot % 2 == 0 ? westWall(room, y) : eastWall(room, y), patients && slot % 3 == 0);
@@ -79,10 +80,10 @@ void furnishWard(Furnisher& f, std::size_t index, bool patients) {
   f.put(ItemKind::Chair, index, at(-0.95F, room.depth_m() - 0.6F, 0, 0.1F));
   f.put(ItemKind::Chair, index, at(0.95F, room.depth_m() - 0.65F, 0, kPi - 0.2F));
   f.put(ItemKind::Basin, index, nearWall(2.0F));
-  f.put(ItemKind::TrashBin, index, nearWall(1.3F) * at(0.28F, 0, 0));
-  f.putNudged(ItemKind::Wheelchair, index, at(-2.4F, 0.48F, 0, 0));
+  f.put(ItemKind::TrashBin, index, nearWall(-1.2F) * at(0.28F, 0, 0));
+  f.put(ItemKind::Wheelchair, index, at(-2.45F, 0.44F, 0, f.rng().uniform(-0.04F, 0.04F)));
   f.putNudged(ItemKind::Trolley, index, at(3.1F, 0.5F, 0, kPi));
-  f.put(ItemKind::Screen, index, at(-1.55F, middle + 0.15F, 0, 0.5F));
+  f.put(ItemKind::Screen, index, at(-2.35F, room.depth_m() - 0.5F, 0, kPi / 2));
   f.put(ItemKind::Television, index, nearWall(-2.6F) * at(0, 0, 1.85F));
   hang(f, index, nearWall(2.9F));
   hang(f, index, farWall(room, -2.9F));
@@ -229,8 +230,11 @@ void addDoor(Furnisher& f, const Door& door) {
   };
   const float hinge = local(door.from_m).x();
   const float width_m = static_cast<float>((door.to_m - door.from_m).norm());
-  if (door.state != DoorState::Passage)
-    f.put(ItemKind::DoorLeaf, door.room, at(hinge + 0.035F, 0, 0), {0, width_m - 0.07F, false, door.opening_rad});
+  if (door.state != DoorState::Passage) {
+    const std::size_t owner = ownerOf(door);
+    const Isometry3f T = f.plan().rooms[owner].T_world_room.inverse() * room.T_world_room;
+    f.put(ItemKind::DoorLeaf, owner, T * at(hinge + 0.035F, 0, 0), {0, width_m - 0.07F, false, door.opening_rad});
+  }
   const auto cell = static_cast<int>(door.room);
   const bool above = room.kind == RoomKind::Store || door.state == DoorState::Passage;  // its wall stays bare
   const float x = above ? hinge + width_m / 2 : hinge + width_m + 0.42F;

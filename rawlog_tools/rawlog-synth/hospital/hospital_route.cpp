@@ -9,8 +9,8 @@
 namespace wardslam::synth {
 namespace {
 
-constexpr double kBend_m = 0.6;      ///< Radius, where there is room for it.
-constexpr double kSway_s = 60.0;     ///< A camera sways so many cycles a minute.
+constexpr double kBend_m = 0.6;   ///< Radius, where there is room for it.
+constexpr double kSway_s = 60.0;  ///< A camera sways so many cycles a minute.
 constexpr double kLookAbout_rad = 0.16;
 
 /// Per corner: what its sides leave to it.
@@ -74,11 +74,11 @@ ClosedRoute::Place HospitalRoute::at(double t_s) const {
   return route_.at(rounds * length_m() + (1 - w) * at_m_[i] + w * at_m_[i + 1]);
 }
 
-Eigen::Isometry3d HospitalRoute::T_world_cam(double t_s) const {
+Eigen::Isometry3d HospitalRoute::T_world_cam(double t_s, const CameraMount& mount) const {
   const auto place = at(t_s);
   // A whole number of cycles a round, so that it closes.
   const double swaysPerRound = std::max(1.0, std::round(round_s() / kSway_s));
-  return drivenCamera({place.p_m, place.heading_rad, kLookAbout_rad}, t_s / round_s() * swaysPerRound);
+  return drivenCamera({place.p_m, place.heading_rad, kLookAbout_rad, mount}, t_s / round_s() * swaysPerRound);
 }
 
 }  // namespace wardslam::synth

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "camera_mount.h"
 #include "closed_route.h"
 #include "hospital/hospital_plan.h"
 
@@ -33,7 +34,7 @@ class HospitalRoute {
   /// Way and heading at that time, any time >= 0.
   [[nodiscard]] ClosedRoute::Place at(double t_s) const;
   /// The optical frame (x right, y down, z forward) of the robot's camera.
-  [[nodiscard]] Eigen::Isometry3d T_world_cam(double t_s) const;
+  [[nodiscard]] Eigen::Isometry3d T_world_cam(double t_s, const CameraMount& mount = {}) const;
 
   static constexpr double kSpeed_mps = 0.9;
   static constexpr double kTurning_rps = 0.7;  ///< It turns no faster.

@@ -120,11 +120,19 @@ const Room& roomOf(const HospitalPlan& plan, RoomKind kind) {
 Polyline roughCorners(const HospitalPlan& plan, const RouteChoice& choice, std::uint64_t number) {
   Tour tour(plan, number);
   switch (choice.kind) {
-    case RouteKind::Tour: tour.addLaps(); break;
-    case RouteKind::Wards: tour.addLap(kWhole, tour.visitedDoors(true)); break;
-    case RouteKind::Round: tour.addLap(kWhole, {}); break;
-    case RouteKind::Corridor: return alongCorridor(plan);
-    case RouteKind::Lobby: return roundIn(roomOf(plan, RoomKind::Lobby));
+    case RouteKind::Tour:
+      tour.addLaps();
+      break;
+    case RouteKind::Wards:
+      tour.addLap(kWhole, tour.visitedDoors(true));
+      break;
+    case RouteKind::Round:
+      tour.addLap(kWhole, {});
+      break;
+    case RouteKind::Corridor:
+      return alongCorridor(plan);
+    case RouteKind::Lobby:
+      return roundIn(roomOf(plan, RoomKind::Lobby));
   }
   return tour.take();
 }
