@@ -3,7 +3,6 @@
 
 #include "hospital/hospital_rooms.h"
 #include "mesh.h"
-#include "textures.h"
 
 namespace wardslam::synth {
 namespace {
@@ -44,8 +43,7 @@ void hangAlong(Furnisher& f, std::size_t index, bool north) {
     } else if (what == 2) {
       f.put(ItemKind::Whiteboard, index, wall * at(0, 0, 1.65F));
     } else {
-      f.put(ItemKind::Picture, index, wall * at(0, 0, height_m),
-            {f.rng().uniform(0, kPosterColumns * kPosterRows), f.rng().uniform(0.42F, 0.68F)});
+      f.put(ItemKind::Picture, index, wall * at(0, 0, height_m), {anyPoster(f), f.rng().uniform(0.42F, 0.68F)});
     }
   }
 }
@@ -58,7 +56,7 @@ void addChairs(Furnisher& f, std::size_t index) {
     const int chairs = f.rng().uniform(1, 4);
     for (int i = 0; i < chairs; ++i) {
       const Isometry3f place =
-          at(static_cast<float>(x + 0.57 * i), static_cast<float>(y), 0, north ? -kPi / 2 : kPi / 2);
+          at(static_cast<float>(x + 0.6 * i), static_cast<float>(y), 0, north ? -kPi / 2 : kPi / 2);
       f.put(ItemKind::Chair, index, room.T_world_room.inverse() * place);
     }
   }

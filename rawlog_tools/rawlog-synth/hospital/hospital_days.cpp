@@ -130,7 +130,7 @@ void Night::bring(ItemKind kind) {
   item.occupied = false;
   item.identity = item.number = kFirstNewIdentity + (day_ - 1) * kMostNewPerDay + new_;
   item.modelSeed = rng_.next();
-  item.footprint_m = footprintOf(modelOf(item));
+  item.footprint_m = footprintOf(item);
   const auto rooms = roomsFor(kind);
   item.room = rooms[static_cast<std::size_t>(uniform(rooms.size()))];
   const auto T = placing_.atWall(item, item.room, items_, rng_);

@@ -18,7 +18,7 @@ Item Furnisher::made(ItemKind kind, std::size_t room, const Looks& looks) {
   item.occupied = looks.occupied;
   item.opening_rad = looks.opening_rad;
   item.modelSeed = rng_.next();
-  item.footprint_m = footprintOf(modelOf(item));
+  item.footprint_m = footprintOf(item);
   return item;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 
 #include "furniture.h"
@@ -157,9 +158,12 @@ Surfaces modelOf(const Item& item) {
   return {};
 }
 
-Eigen::AlignedBox2d footprintOf(const Surfaces& surfaces) {
+Eigen::AlignedBox2d footprintOf(const Item& item) {
+  constexpr ItemKind kFlat[] = {ItemKind::Window,  ItemKind::Picture, ItemKind::Television,
+                                ItemKind::Outlets, ItemKind::Monitor, ItemKind::Whiteboard};
   Eigen::AlignedBox2d box;
-  for (const Surface& surface : surfaces) {
+  if (std::find(std::begin(kFlat), std::end(kFlat), item.kind) != std::end(kFlat)) return box;
+  for (const Surface& surface : modelOf(item)) {
     for (const Vertex& vertex : surface.mesh.vertices) {
       if (vertex.p_m.z() < kHeadroom_m) box.extend(vertex.p_m.head<2>().cast<double>().eval());
     }

@@ -50,7 +50,7 @@ struct Item {
   std::uint64_t modelSeed = 0;  ///< The same seed, the same looks.
   std::size_t room = 0;
   Eigen::Isometry3f T_world_item = Eigen::Isometry3f::Identity();
-  Eigen::AlignedBox2d footprint_m;  ///< Own frame, of all below kHeadroom_m; empty for what hangs higher.
+  Eigen::AlignedBox2d footprint_m;  ///< Own frame, of all below kHeadroom_m; empty for what hangs higher or flat.
 };
 
 constexpr float kHeadroom_m = 1.35F;
@@ -64,7 +64,8 @@ constexpr float kHospitalCeiling_m = 2.9F;
 
 /// In its own frame.
 [[nodiscard]] Surfaces modelOf(const Item& item);
-[[nodiscard]] Eigen::AlignedBox2d footprintOf(const Surfaces& surfaces);
+/// Empty for what hangs flat on a wall.
+[[nodiscard]] Eigen::AlignedBox2d footprintOf(const Item& item);
 
 /// The middle of an item's footprint, world frame.
 [[nodiscard]] Eigen::Vector2d middleOf(const Item& item);

@@ -18,6 +18,8 @@ void furnishTreatment(Furnisher& furnisher, std::size_t room, bool patients);
 void furnishUtility(Furnisher& furnisher, std::size_t room);
 void furnishCorridor(Furnisher& furnisher, std::size_t room);
 
+/// A poster of those that may hang anywhere.
+[[nodiscard]] int anyPoster(Furnisher& furnisher);
 /// A window in the wall across from the door, where there is an outer one.
 void addWindow(Furnisher& furnisher, std::size_t room);
 /// Its leaf and the sign beside it.
