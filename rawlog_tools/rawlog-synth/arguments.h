@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "synthesis.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming)
@@ -14,5 +16,8 @@ void declareHospital(CLI::App& app, HospitalOptions& options);
 void declareCamera(CLI::App& app, CameraOptions& options);
 void declareSensor(CLI::App& app, SensorOptions& options);
 void declareOutput(CLI::App& app, OutputOptions& options);
+
+/// Once all is parsed: decides what kind of output was meant. Returns what is wrong with it, empty if nothing.
+[[nodiscard]] std::string settleOutput(SynthesisOptions& options);
 
 }  // namespace wardslam::synth

@@ -12,4 +12,12 @@ core::CameraModel cameraFor(int width_px, int height_px) {
   return camera;
 }
 
+core::CameraModel modelOf(const CameraOptions& options) {
+  return withLens(cameraFor(options.width_px, options.height_px), options.lens);
+}
+
+Eigen::Isometry3d statedMount(const CameraOptions& options) {
+  return T_base_sensor(options.isMountStated ? options.mount : CameraMount{options.mount.height_m, 0.0, 0.0});
+}
+
 }  // namespace wardslam::synth

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <optional>
+#include <string>
 
 #include "arguments.h"
 #include "support/command_line.h"
@@ -43,6 +44,8 @@ int main(int argc, char** argv) {
     synth::declareCamera(app, options.camera);
     synth::declareSensor(app, options.sensor);
     if (const auto code = apps::parseCommandLine(app, argc, argv)) return *code;
+    if (const std::string fault = synth::settleOutput(options); !fault.empty()) throw apps::UsageError(fault);
+    if (options.sensor.odometry || options.sensor.imu) options.camera.isMountStated = true;
     return synthesise(options);
   });
 }

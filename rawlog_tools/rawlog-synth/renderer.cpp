@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <mutex>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "chunks.h"
+#include "lens.h"
 #include "triangle_view.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
@@ -22,7 +25,6 @@ namespace gl = mrpt::opengl;
 /// Colour is rendered this much larger and averaged down: MRPT's textures have no mip maps.
 constexpr double kSupersampling = 1.5;
 constexpr float kNear_m = 0.2F;
-constexpr float kFar_m = 30.0F;
 
 gl::TTriangle toTriangle(const Vertex* corner, const mrpt::img::TColor& color) {
   gl::TTriangle triangle;
@@ -53,17 +55,18 @@ cv::Mat numbersOf(const cv::Mat& bgr) {
   return numbers;
 }
 
-void insertTextured(gl::CSetOfTexturedTriangles& set, const Mesh& mesh) {
-  for (std::size_t i = 0; i + 2 < mesh.vertices.size(); i += 3)
-    set.insertTriangle(toTriangle(&mesh.vertices[i], {255, 255, 255}));
+void insertTextured(gl::CSetOfTexturedTriangles& set, const Vertex* vertices, std::size_t triangles) {
+  for (std::size_t i = 0; i < triangles; ++i) set.insertTriangle(toTriangle(vertices + 3 * i, {255, 255, 255}));
 }
 
-/// Adds the mesh to the flat set and to the list, so that colours and numbers agree.
-void insertNumbered(gl::CSetOfTriangles& set, TriangleList& list, const Mesh& mesh, std::uint16_t instanceId) {
-  for (std::size_t i = 0; i + 2 < mesh.vertices.size(); i += 3) {
-    set.insertTriangle(toTriangle(&mesh.vertices[i], colorOf(list.size() + i / 3)));
-  }
-  list.add(mesh, instanceId);
+void insertTextured(gl::CSetOfTexturedTriangles& set, const Mesh& mesh) {
+  insertTextured(set, mesh.vertices.data(), mesh.vertices.size() / 3);
+}
+
+/// Each in the colour of its number.
+void insertNumbered(gl::CSetOfTriangles& set, const Vertex* vertices, std::size_t triangles, std::size_t firstNumber) {
+  for (std::size_t i = 0; i < triangles; ++i)
+    set.insertTriangle(toTriangle(vertices + 3 * i, colorOf(firstNumber + i)));
 }
 
 gl::CSetOfTexturedTriangles::Ptr texturedSet(const cv::Mat& texture) {
@@ -90,6 +93,14 @@ gl::CSetOfTexturedTriangles::Ptr shadowSet() {
   return set;
 }
 
+/// Each actor's shadow lies at its own height; a crowd's must not rise to the knees.
+float shadowHeight_m(std::size_t actor) {
+  constexpr std::size_t kApart = 4;
+  const auto apart = static_cast<float>(std::min(actor, kApart));
+  const auto close = static_cast<float>(actor > kApart ? (actor - kApart) % 64 : 0);
+  return 0.006F + 0.003F * apart + 0.0004F * close;
+}
+
 /// `above_m`: each shadow at its own height, so that they do not fight where they overlap.
 Mesh shadowUnder(const Surfaces& surfaces, float above_m) {
   constexpr float kSpread_m = 0.22F;
@@ -101,9 +112,9 @@ Mesh shadowUnder(const Surfaces& surfaces, float above_m) {
   return panel({box.min().x() - kSpread_m, box.min().y() - kSpread_m, above_m}, {size.x(), 0, 0}, {0, size.y(), 0});
 }
 
-void prepare(gl::COpenGLScene& scene, float ambient, float diffuse) {
+void prepare(gl::COpenGLScene& scene, float farthest_m, float ambient, float diffuse) {
   auto& viewport = *scene.getViewport();
-  viewport.setViewportClipDistances(kNear_m, kFar_m);
+  viewport.setViewportClipDistances(kNear_m, farthest_m);
   viewport.setCustomBackgroundColor({0.0F, 0.0F, 0.0F});
   auto& light = viewport.lightParameters();
   light.ambient = {ambient, ambient, ambient, 1.0F};
@@ -127,11 +138,18 @@ mrpt::img::TCamera cornerBased(const core::CameraModel& camera, const cv::Size& 
 /// MRPT's shaders declare their matrices "mediump", and Mesa's software renderer takes that for 16-bit floats on
 /// processors that have them: vertices would be off by millimetres and the nearer surface would not always win.
 /// Without those instructions it computes in full precision. (And no slower.) A user's own setting is kept.
-void askForFullPrecision() { setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 0); }
+/// And each renderer has a thread of its own: those that Mesa would add only wait for each other.
+void prepareMesa() {
+  static std::once_flag once;  // the environment is no place for two threads
+  std::call_once(once, [] {
+    setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 0);
+    setenv("LP_NUM_THREADS", "0", 0);
+  });
+}
 
 std::unique_ptr<gl::CFBORender> makeTarget(const cv::Size& size_px, bool ownContext) {
   gl::CFBORender::Parameters parameters(static_cast<unsigned>(size_px.width), static_cast<unsigned>(size_px.height));
-  askForFullPrecision();
+  prepareMesa();
   // Two contexts in one thread would hide each other; the second target shares the first one's.
   parameters.create_EGL_context = ownContext;
   try {
@@ -147,10 +165,14 @@ struct Renderer::Impl {
   Impl(const Scene& renderedScene, const core::CameraModel& model);
   void addThings();
   void addActor(const Actor& actor);
-  void placeActors(double t_s);
+  void placeThings(const Eigen::Isometry3d& T_world_cam, const Frustum& frustum);
+  void placeActors(double t_s, const Frustum& frustum);
+  void place(double t_s, const Eigen::Isometry3d& T_world_cam);
   void sortForBlending(const Eigen::Isometry3d& T_world_cam);
   void aim(gl::CFBORender& target, const gl::COpenGLScene& what, const cv::Size& targetSize_px,
            const Eigen::Isometry3d& T_world_cam) const;
+  [[nodiscard]] cv::Mat drawColors(const Eigen::Isometry3d& T_world_cam);
+  [[nodiscard]] TriangleList::View drawNumbers(const Eigen::Isometry3d& T_world_cam);
 
   struct ActorModel {
     std::vector<gl::CSetOfTexturedTriangles::Ptr> surfaces;
@@ -158,7 +180,8 @@ struct Renderer::Impl {
   };
 
   const Scene& scene;
-  core::CameraModel camera;
+  LensView lens;
+  core::CameraModel camera;  ///< The pinhole that is rendered.
   cv::Size size_px;
   cv::Size largeSize_px;
   // The targets own the OpenGL context: they must outlive the scenes' textures.
@@ -166,7 +189,11 @@ struct Renderer::Impl {
   std::unique_ptr<gl::CFBORender> numberTarget;
   gl::COpenGLScene colors;
   gl::COpenGLScene numbers;  ///< Each triangle in the colour of its number.
-  TriangleList triangles;    ///< Those of the static things first.
+  Chunks chunks;
+  std::vector<bool> seen;  ///< The chunks that the sets hold now.
+  std::map<Material, gl::CSetOfTexturedTriangles::Ptr> things;
+  gl::CSetOfTriangles::Ptr flatThings = gl::CSetOfTriangles::Create();
+  TriangleList triangles;  ///< Those of the static things first.
   std::size_t staticTriangles = 0;
   std::vector<ActorModel> actors;
   std::vector<gl::CSetOfTexturedTriangles::Ptr> opaque;  ///< The building first.
@@ -175,32 +202,32 @@ struct Renderer::Impl {
 
 Renderer::Impl::Impl(const Scene& renderedScene, const core::CameraModel& model)
     : scene(renderedScene),
-      camera(model),
-      size_px(model.width_px, model.height_px),
-      largeSize_px(cvRound(model.width_px * kSupersampling), cvRound(model.height_px * kSupersampling)),
+      lens(model),
+      camera(lens.pinhole()),
+      size_px(camera.width_px, camera.height_px),
+      largeSize_px(cvRound(camera.width_px * kSupersampling), cvRound(camera.height_px * kSupersampling)),
       colorTarget(makeTarget(largeSize_px, true)),
-      numberTarget(makeTarget(size_px, false)) {
-  prepare(colors, 0.74F, 0.36F);
-  prepare(numbers, 1.0F, 0.0F);
+      numberTarget(makeTarget(size_px, false)),
+      chunks(renderedScene) {
+  prepare(colors, scene.farthest_m, 0.74F, 0.36F);
+  prepare(numbers, scene.farthest_m, 1.0F, 0.0F);
   addThings();
   for (const auto& actor : scene.actors) addActor(*actor);
   for (const auto& set : opaque) colors.insert(set);
   colors.insert(shadows);
 }
 
+/// Empty sets with the materials' textures; placeThings() fills them.
 void Renderer::Impl::addThings() {
-  std::map<Material, gl::CSetOfTexturedTriangles::Ptr> byMaterial;
-  auto flat = gl::CSetOfTriangles::Create();
   for (const Thing& thing : scene.things) {
     for (const Surface& surface : thing.surfaces) {
-      auto& set = byMaterial[surface.material];
+      auto& set = things[surface.material];
       if (!set) set = texturedSet(scene.textures.at(surface.material));
-      insertTextured(*set, surface.mesh);
-      insertNumbered(*flat, triangles, surface.mesh, thing.label.id);
+      triangles.add(surface.mesh, thing.label.id);
     }
   }
-  for (const auto& [material, set] : byMaterial) opaque.push_back(set);
-  numbers.insert(flat);
+  for (const auto& [material, set] : things) opaque.push_back(set);
+  numbers.insert(flatThings);
   staticTriangles = triangles.size();
 }
 
@@ -216,19 +243,44 @@ void Renderer::Impl::addActor(const Actor& actor) {
   actors.push_back(std::move(actorModel));
 }
 
-void Renderer::Impl::placeActors(double t_s) {
+/// Fills the sets with the chunks in view. Mostly they hold them already.
+void Renderer::Impl::placeThings(const Eigen::Isometry3d& T_world_cam, const Frustum& frustum) {
+  auto nowSeen = chunks.seenFrom(T_world_cam, frustum);
+  if (nowSeen == seen) return;
+  seen = std::move(nowSeen);
+  for (const auto& [material, set] : things) set->clearTriangles();
+  flatThings->clearTriangles();
+  for (const Chunks::Run& run : chunks.runs()) {
+    if (!seen[run.chunk]) continue;
+    insertTextured(*things.at(run.material), run.vertices, run.triangles);
+    insertNumbered(*flatThings, run.vertices, run.triangles, run.firstNumber);
+  }
+}
+
+void Renderer::Impl::placeActors(double t_s, const Frustum& frustum) {
   triangles.shrink(staticTriangles);
   shadows->clearTriangles();
   for (std::size_t i = 0; i < actors.size(); ++i) {
-    const Surfaces surfaces = scene.actors[i]->surfacesAt(t_s);
-    insertTextured(*shadows, shadowUnder(surfaces, 0.006F + 0.003F * static_cast<float>(i)));
     actors[i].flat->clearTriangles();
+    for (const auto& set : actors[i].surfaces) set->clearTriangles();
+    const auto bounds_m = scene.actors[i]->boundsAt(t_s);
+    if (bounds_m && !frustum.mayShow(*bounds_m)) continue;
+    const Surfaces surfaces = scene.actors[i]->surfacesAt(t_s);
+    insertTextured(*shadows, shadowUnder(surfaces, shadowHeight_m(i)));
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
-      actors[i].surfaces[k]->clearTriangles();
+      const auto& vertices = surfaces[k].mesh.vertices;
       insertTextured(*actors[i].surfaces[k], surfaces[k].mesh);
-      insertNumbered(*actors[i].flat, triangles, surfaces[k].mesh, scene.actors[i]->label().id);
+      insertNumbered(*actors[i].flat, vertices.data(), vertices.size() / 3, triangles.size());
+      triangles.add(surfaces[k].mesh, scene.actors[i]->label().id);
     }
   }
+}
+
+void Renderer::Impl::place(double t_s, const Eigen::Isometry3d& T_world_cam) {
+  const Frustum frustum(camera, T_world_cam, static_cast<double>(scene.farthest_m));
+  placeThings(T_world_cam, frustum);
+  placeActors(t_s, frustum);
+  sortForBlending(T_world_cam);
 }
 
 void Renderer::Impl::sortForBlending(const Eigen::Isometry3d& T_world_cam) {
@@ -253,29 +305,41 @@ void Renderer::Impl::aim(gl::CFBORender& target, const gl::COpenGLScene& what, c
   target.setCamera(what, view);
 }
 
+/// BGR, through the lens.
+cv::Mat Renderer::Impl::drawColors(const Eigen::Isometry3d& T_world_cam) {
+  aim(*colorTarget, colors, largeSize_px, T_world_cam);
+  mrpt::img::CImage large;
+  colorTarget->render_RGB(colors, large);
+  cv::Mat small;
+  cv::resize(large.asCvMatRef(), small, size_px, 0, 0, cv::INTER_AREA);
+  return lens.colours(small);
+}
+
+TriangleList::View Renderer::Impl::drawNumbers(const Eigen::Isometry3d& T_world_cam) {
+  aim(*numberTarget, numbers, size_px, T_world_cam);
+  mrpt::img::CImage codes;
+  numberTarget->render_RGB(numbers, codes);
+  return triangles.lookedAt(numbersOf(lens.nearest(codes.asCvMatRef())), lens, T_world_cam);
+}
+
 Renderer::Renderer(const Scene& scene, const core::CameraModel& camera)
     : impl_(std::make_unique<Impl>(scene, camera)) {}
 
 Renderer::~Renderer() = default;
 
 Rendering Renderer::render(double t_s, const Eigen::Isometry3d& T_world_cam) {
-  Impl& impl = *impl_;
-  impl.placeActors(t_s);
-  impl.sortForBlending(T_world_cam);
-  impl.aim(*impl.colorTarget, impl.colors, impl.largeSize_px, T_world_cam);
-  impl.aim(*impl.numberTarget, impl.numbers, impl.size_px, T_world_cam);
-
-  mrpt::img::CImage large;
-  mrpt::img::CImage codes;
-  impl.colorTarget->render_RGB(impl.colors, large);
-  impl.numberTarget->render_RGB(impl.numbers, codes);
-
+  impl_->place(t_s, T_world_cam);
   Rendering out;
-  cv::resize(large.asCvMatRef(), out.color_bgr, impl.size_px, 0, 0, cv::INTER_AREA);
-  auto view = impl.triangles.lookedAt(numbersOf(codes.asCvMatRef()), impl.camera, T_world_cam);
+  out.color_bgr = impl_->drawColors(T_world_cam);
+  const auto view = impl_->drawNumbers(T_world_cam);
   out.depth_m = view.depth_m;
   out.instanceIds = view.instanceIds;
   return out;
+}
+
+cv::Mat Renderer::renderColor(double t_s, const Eigen::Isometry3d& T_world_cam) {
+  impl_->place(t_s, T_world_cam);
+  return impl_->drawColors(T_world_cam);
 }
 
 }  // namespace wardslam::synth

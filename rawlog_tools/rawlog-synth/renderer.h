@@ -9,7 +9,7 @@
 
 namespace wardslam::synth {
 
-/// What an ideal camera sees. All of the camera's size.
+/// What a camera without noise sees. All of the camera's size.
 struct Rendering {
   cv::Mat color_bgr;    ///< CV_8UC3, anti-aliased.
   cv::Mat depth_m;      ///< CV_32FC1 along the optical axis, 0 = nothing there.
@@ -19,12 +19,14 @@ struct Rendering {
 /// Renders a scene without a display. Use each renderer in the thread that made it, and one renderer per thread.
 class Renderer {
  public:
-  /// Keeps a reference to the scene. The camera must have no distortion. Throws core::InputError when the machine
-  /// offers no OpenGL.
+  /// Keeps a reference to the scene. A distorting lens is looked through (LensView). Throws core::InputError when the
+  /// machine offers no OpenGL.
   Renderer(const Scene& scene, const core::CameraModel& camera);
   ~Renderer();
 
   [[nodiscard]] Rendering render(double t_s, const Eigen::Isometry3d& T_world_cam);
+  /// Its colours alone.
+  [[nodiscard]] cv::Mat renderColor(double t_s, const Eigen::Isometry3d& T_world_cam);
 
  private:
   struct Impl;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,9 @@ class Actor {
   /// What it looks like, in the world frame. The materials and their order are always the same.
   [[nodiscard]] virtual Surfaces surfacesAt(double t_s) const = 0;
   [[nodiscard]] virtual bool isMovingAt(double t_s) const = 0;
+  /// A box (world frame) that it does not leave at that moment, where that is known without making its surfaces: what
+  /// lies out of view is not made.
+  [[nodiscard]] virtual std::optional<Eigen::AlignedBox3f> boundsAt(double /*t_s*/) const { return std::nullopt; }
   /// When it comes to rest for good; infinity if never.
   [[nodiscard]] virtual double atRestFrom_s() const = 0;
 
@@ -62,6 +66,7 @@ struct Scene {
   /// Whether anything of that cell may be seen by a camera there (through open doors, say); what may not is not drawn.
   /// A hint that saves time: it may err towards "yes" only. Empty: everything may be seen.
   std::function<bool(int cell, const Eigen::Isometry3d& T_world_cam)> mayBeSeen;
+  float farthest_m = 30.0F;  ///< Nothing is farther from a camera.
 };
 
 }  // namespace wardslam::synth

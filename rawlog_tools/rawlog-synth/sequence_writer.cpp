@@ -1,20 +1,14 @@
 #include "sequence_writer.h"
 
-#include <mrpt/obs/CObservation3DRangeScan.h>
-#include <mrpt/obs/CObservationStereoImages.h>
-
 #include <algorithm>
 #include <iomanip>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 #include <sstream>
 #include <utility>
 
+#include "png.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/core/mrpt_compat.h"
-#include "wardslam/sources/rawlog_writer.h"
 #include "wardslam/storage/map_export.h"
 #include "wardslam/storage/tum_trajectory.h"
 
@@ -22,13 +16,12 @@ namespace wardslam::synth {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kRangeUnits_m = 0.001;
-constexpr double kCameraHeight_m = 1.1;
 constexpr const char* kGroundTruth = "groundtruth.txt";  // until it gets its name beside the rawlog
 constexpr const char* kLabelFolders[] = {"masks", "instances", "dynamic"};
 
-fs::path withSuffix(const fs::path& rawlog, const std::string& suffix) {
-  return rawlog.parent_path() / (rawlog.stem().string() + suffix);
+fs::path withSuffix(const fs::path& file, const std::string& suffix) {
+  const bool isRawlog = file.extension() == ".rawlog";
+  return file.parent_path() / ((isRawlog ? file.stem() : file.filename()).string() + suffix);
 }
 
 fs::path partial(const fs::path& path) { return path.string() + ".partial"; }
@@ -98,72 +91,21 @@ fs::path prepareLabelsFolder(const fs::path& finalFolder) {
   return finalFolder;
 }
 
-std::string stampText(double stamp_s) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(6) << stamp_s;
-  return text.str();
-}
-
-void writePng(const fs::path& file, const cv::Mat& image) {
-  // Run-length matching is what suits label images, and it is fast.
-  const std::vector<int> parameters = {cv::IMWRITE_PNG_COMPRESSION, 1, cv::IMWRITE_PNG_STRATEGY,
-                                       cv::IMWRITE_PNG_STRATEGY_RLE};
-  if (!cv::imwrite(file.string(), image, parameters)) {
-    throw core::InputError(file.string() + ": could not be written; is the disk full?");
-  }
-}
-
-mrpt::obs::CObservation3DRangeScan toObservation(const SequenceFrame& frame, const mrpt::img::TCamera& camera) {
-  mrpt::obs::CObservation3DRangeScan scan;
-  scan.sensorLabel = "RGBD";
-  scan.timestamp = core::toMrptTime(frame.stamp_s);
-  scan.sensorPose = mrpt::poses::CPose3D(0, 0, kCameraHeight_m, 0, 0, 0);
-  scan.range_is_depth = true;
-  scan.maxRange = 8.0F;
-  scan.stdError = 0.01F;
-  scan.cameraParams = camera;
-  scan.cameraParamsIntensity = camera;
-  scan.relativePoseIntensityWRTDepth = mrpt::poses::CPose3D(core::toMrpt(core::T_sensor_cam()));
-  scan.intensityImageChannel = mrpt::obs::CObservation3DRangeScan::CH_VISIBLE;
-  scan.hasIntensityImage = true;
-  scan.intensityImage = mrpt::img::CImage(frame.color_bgr, mrpt::img::SHALLOW_COPY);
-  scan.hasRangeImage = true;
-  scan.rangeUnits = static_cast<float>(kRangeUnits_m);
-  scan.rangeImage.resize(frame.depth_m.rows, frame.depth_m.cols);
-  cv::Mat range(frame.depth_m.size(), CV_16UC1, scan.rangeImage.data());
-  frame.depth_m.convertTo(range, CV_16U, 1.0 / kRangeUnits_m);
-  return scan;
-}
-
-mrpt::obs::CObservationStereoImages toStereoObservation(const SequenceFrame& frame, const mrpt::img::TCamera& camera,
-                                                        double baseline_m) {
-  mrpt::obs::CObservationStereoImages pair;
-  pair.sensorLabel = "STEREO";
-  pair.timestamp = core::toMrptTime(frame.stamp_s);
-  const mrpt::poses::CPose3D T_base_sensor(0, 0, kCameraHeight_m, 0, 0, 0);
-  pair.cameraPose = mrpt::poses::CPose3DQuat(T_base_sensor + core::toMrpt(core::T_sensor_cam()));
-  pair.rightCameraPose = mrpt::poses::CPose3DQuat(mrpt::poses::CPose3D(baseline_m, 0, 0, 0, 0, 0));
-  pair.leftCamera = pair.rightCamera = camera;
-  pair.imageLeft = mrpt::img::CImage(frame.color_bgr, mrpt::img::SHALLOW_COPY);
-  pair.imageRight = mrpt::img::CImage(frame.right_bgr, mrpt::img::SHALLOW_COPY);
-  pair.hasImageRight = true;
-  return pair;
-}
-
 }  // namespace
 
-fs::path groundTruthFile(const fs::path& rawlog) { return withSuffix(rawlog, ".groundtruth.txt"); }
-fs::path labelsFolder(const fs::path& rawlog) { return withSuffix(rawlog, "_labels"); }
+fs::path groundTruthFile(const OutputOptions& output) {
+  return output.isTumFolder ? output.file / "groundtruth.txt" : withSuffix(output.file, ".groundtruth.txt");
+}
+fs::path labelsFolder(const OutputOptions& output) { return withSuffix(output.file, "_labels"); }
 
 struct SequenceWriter::Impl {
-  Impl(fs::path rawlogFile, const SequenceCamera& sequenceCamera, std::vector<Label> allLabels)
-      : rawlog(std::move(rawlogFile)),
-        camera(core::toMrpt(sequenceCamera.model)),
-        stereoBaseline_m(sequenceCamera.stereoBaseline_m),
+  Impl(const OutputOptions& outputOptions, const SequenceCamera& camera, std::vector<Label> allLabels)
+      : output(outputOptions),
         labels(std::move(allLabels)),
         classOf(classTable(labels)),
-        observations(rawlog, sources::ImageCoding::Jpeg),
-        labelled(prepareLabelsFolder(labelsFolder(rawlog))),
+        recording(output.isTumFolder ? makeTumRecording(output.file, camera)
+                                     : makeRawlogRecording(output.file, camera)),
+        labelled(prepareLabelsFolder(labelsFolder(output))),
         groundTruth(partial(labelled) / kGroundTruth) {}
 
   ~Impl() {
@@ -173,34 +115,37 @@ struct SequenceWriter::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  fs::path rawlog;
-  mrpt::img::TCamera camera;
-  std::optional<double> stereoBaseline_m;
+  OutputOptions output;
   std::vector<Label> labels;
   std::vector<core::ClassId> classOf;
-  sources::RawlogWriter observations;
+  std::unique_ptr<Recording> recording;
   fs::path labelled;
   storage::TumTrajectoryWriter groundTruth;
 };
 
-SequenceWriter::SequenceWriter(const fs::path& rawlog, const SequenceCamera& camera, std::vector<Label> labels)
-    : impl_(std::make_unique<Impl>(rawlog, camera, std::move(labels))) {}
+SequenceWriter::SequenceWriter(const OutputOptions& output, const SequenceCamera& camera, std::vector<Label> labels)
+    : impl_(std::make_unique<Impl>(output, camera, std::move(labels))) {}
 
 SequenceWriter::~SequenceWriter() = default;
 
-void SequenceWriter::write(const SequenceFrame& frame) {
-  if (impl_->stereoBaseline_m) {
-    impl_->observations.write(toStereoObservation(frame, impl_->camera, *impl_->stereoBaseline_m));
-  } else {
-    impl_->observations.write(toObservation(frame, impl_->camera));
-  }
-  impl_->groundTruth.write({frame.stamp_s, frame.T_world_cam});
+Recording& SequenceWriter::recording() { return *impl_->recording; }
 
+EncodedFrame SequenceWriter::encode(const SequenceFrame& frame) const {
+  return {
+      frame.stamp_s,
+      frame.T_world_cam,
+      impl_->recording->encode(frame),
+      {labelPng(classMask(frame.instanceIds, impl_->classOf)), labelPng(frame.instanceIds), labelPng(frame.dynamic)}};
+}
+
+void SequenceWriter::write(const EncodedFrame& frame) {
+  impl_->groundTruth.write({frame.stamp_s, frame.T_world_cam});
+  if (frame.recorded.empty()) return;
+  impl_->recording->writeFrame(frame.stamp_s, frame.recorded);
   const std::string name = stampText(frame.stamp_s) + ".png";
-  const fs::path folder = partial(impl_->labelled);
-  writePng(folder / "masks" / name, classMask(frame.instanceIds, impl_->classOf));
-  writePng(folder / "instances" / name, frame.instanceIds);
-  writePng(folder / "dynamic" / name, frame.dynamic);
+  for (std::size_t i = 0; i < frame.labels.size(); ++i) {
+    writeBytes(partial(impl_->labelled) / kLabelFolders[i] / name, frame.labels[i]);
+  }
 }
 
 void SequenceWriter::finish(const std::vector<StaticObject>& objects, const mapping::FloorPlan& floor,
@@ -213,11 +158,12 @@ void SequenceWriter::finish(const std::vector<StaticObject>& objects, const mapp
   storage::exportRosMap(map, folder / "floor.yaml");
   writeMore(folder);
   impl_->groundTruth.finish();
-  giveName(folder / kGroundTruth, groundTruthFile(impl_->rawlog));
+  if (impl_->output.isTumFolder) impl_->recording->commit();  // where the ground truth goes into
+  giveName(folder / kGroundTruth, groundTruthFile(impl_->output));
   std::error_code error;
   fs::remove_all(impl_->labelled, error);
   giveName(folder, impl_->labelled);
-  impl_->observations.commit();
+  if (!impl_->output.isTumFolder) impl_->recording->commit();
 }
 
 }  // namespace wardslam::synth

@@ -1,37 +1,18 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <opencv2/core.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "output_options.h"
+#include "recording.h"
 #include "scene.h"
-#include "wardslam/core/camera_model.h"
 #include "wardslam/mapping/floor_plan.h"
 
 namespace wardslam::synth {
-
-/// One recorded frame with all that is known about it.
-struct SequenceFrame {
-  double stamp_s = 0.0;  ///< UNIX time in whole microseconds.
-  cv::Mat color_bgr;     ///< CV_8UC3
-  cv::Mat depth_m;       ///< CV_32FC1, as measured; 0 = none. Of an RGB-D camera,
-  cv::Mat right_bgr;     ///< CV_8UC3; or this, of a stereo camera.
-  cv::Mat instanceIds;   ///< CV_16UC1
-  cv::Mat dynamic;       ///< CV_8UC1, 255 where something truly moves at that moment.
-  Eigen::Isometry3d T_world_cam = Eigen::Isometry3d::Identity();
-};
-
-/// What recorded the sequence: an RGB-D camera or, with a baseline, a rectified stereo camera.
-struct SequenceCamera {
-  core::CameraModel model;
-  std::optional<double> stereoBaseline_m;
-};
 
 /// A static object of the scene, for objects.csv.
 struct StaticObject {
@@ -41,22 +22,35 @@ struct StaticObject {
   std::optional<std::string> room = std::nullopt;  ///< Id of the room around its middle, where rooms are known.
 };
 
-/// Writes, for FILE.rawlog:
-///   FILE.rawlog           CObservation3DRangeScan: colour and depth; or CObservationStereoImages; gzip
-///   FILE.groundtruth.txt  TUM format, T_world_cam (optical)
+/// A frame as it goes to the disk.
+struct EncodedFrame {
+  double stamp_s = 0.0;
+  Eigen::Isometry3d T_world_cam = Eigen::Isometry3d::Identity();
+  std::vector<Bytes> recorded;  ///< Empty: the recorder lost it.
+  std::vector<Bytes> labels;    ///< masks, instances, dynamic; as many as `recorded` has.
+};
+
+/// Writes, for FILE.rawlog or the folder FILE:
+///   what the robot records (Recording)
+///   FILE.groundtruth.txt  TUM format, T_world_cam (optical), of lost frames too; in a folder of the TUM layout it is
+///                         its groundtruth.txt
 ///   FILE_labels/          masks/ (8-bit class ids), instances/ (16-bit), dynamic/ (255 = moving), each <stamp>.png;
 ///                         classes.txt; objects.csv; floor.yaml and floor.pgm, the true floor plan for map_server
 /// All appears under ".partial" names first; finish() gives everything its name at once. Without it nothing is left.
 class SequenceWriter {
  public:
   /// Throws core::InputError when something cannot be created, or when FILE_labels exists and is not such a folder.
-  SequenceWriter(const std::filesystem::path& rawlog, const SequenceCamera& camera, std::vector<Label> labels);
+  SequenceWriter(const OutputOptions& output, const SequenceCamera& camera, std::vector<Label> labels);
   ~SequenceWriter();
   SequenceWriter(const SequenceWriter&) = delete;
   SequenceWriter& operator=(const SequenceWriter&) = delete;
 
-  /// Throws core::InputError when the disk does not take it.
-  void write(const SequenceFrame& frame);
+  /// Any number of threads may ask at once.
+  [[nodiscard]] EncodedFrame encode(const SequenceFrame& frame) const;
+
+  /// In order of time. Throws core::InputError when the disk does not take it.
+  void write(const EncodedFrame& frame);
+  [[nodiscard]] Recording& recording();
   /// `writeMore` puts more truth into the folder of labels that it gets.
   void finish(const std::vector<StaticObject>& objects, const mapping::FloorPlan& floor,
               const std::function<void(const std::filesystem::path&)>& writeMore);
@@ -66,8 +60,9 @@ class SequenceWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// FILE.groundtruth.txt and FILE_labels for FILE.rawlog.
-[[nodiscard]] std::filesystem::path groundTruthFile(const std::filesystem::path& rawlog);
-[[nodiscard]] std::filesystem::path labelsFolder(const std::filesystem::path& rawlog);
+/// FILE.groundtruth.txt and FILE_labels for FILE.rawlog; of a folder of the TUM layout its groundtruth.txt, and its
+/// name with "_labels".
+[[nodiscard]] std::filesystem::path groundTruthFile(const OutputOptions& output);
+[[nodiscard]] std::filesystem::path labelsFolder(const OutputOptions& output);
 
 }  // namespace wardslam::synth

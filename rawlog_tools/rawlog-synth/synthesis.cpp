@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
+#include <limits>
+#include <memory>
+#include <thread>
 #include <vector>
 
-#include "renderer.h"
+#include "ordered_work.h"
+#include "recording_camera.h"
 #include "sequence_writer.h"
+#include "wardslam/core/mrpt_compat.h"
 
 namespace wardslam::synth {
 namespace {
@@ -45,79 +49,83 @@ std::vector<StaticObject> staticObjects(const Setting& setting, double seconds) 
   return objects;
 }
 
-cv::Mat dynamicMask(const cv::Mat& instanceIds, const Scene& scene, double t_s) {
-  cv::Mat mask = cv::Mat::zeros(instanceIds.size(), CV_8UC1);
-  for (const auto& actor : scene.actors) {
-    if (actor->isMovingAt(t_s)) mask.setTo(255, instanceIds == static_cast<int>(actor->label().id));
-  }
-  return mask;
-}
-
-/// Every picture has its own noise, whatever was rendered before it.
-std::uint64_t noiseSeed(std::uint32_t seed, std::size_t frame, std::uint64_t picture) {
-  return (static_cast<std::uint64_t>(seed) << 32U) + 2 * static_cast<std::uint64_t>(frame) + picture + 1;
-}
-
-/// Seconds after the start, such that stamps are whole microseconds.
-double timeOf(std::size_t frame, double rate_hz) {
-  return std::round(static_cast<double>(frame) / rate_hz * 1e6) / 1e6;
-}
-
 std::size_t frameCount(double seconds, double rate_hz) {
   return static_cast<std::size_t>(std::max(1.0, std::round(seconds * rate_hz)));
 }
 
-SequenceFrame record(const Rendering& rendering, const cv::Mat& right_bgr, const Setting& setting,
-                     const SynthesisOptions& options, std::size_t index) {
-  const double t_s = timeOf(index, options.camera.rate_hz);
-  SequenceFrame frame;
-  frame.stamp_s = kFirstStamp_s + t_s;
-  frame.color_bgr =
-      exposeColor(rendering.color_bgr, options.sensor.kinect, noiseSeed(options.place.scene.seed, index, 0));
-  const std::uint64_t secondSeed = noiseSeed(options.place.scene.seed, index, 1);
-  if (options.camera.stereoBaseline_m) {
-    frame.right_bgr = exposeColor(right_bgr, options.sensor.kinect, secondSeed);
-  } else {
-    frame.depth_m = measureDepth(rendering.depth_m, options.sensor.kinect, secondSeed);
-  }
-  frame.instanceIds = rendering.instanceIds;
-  frame.dynamic = dynamicMask(rendering.instanceIds, setting.scene, t_s);
-  frame.T_world_cam = setting.T_world_cam(t_s);
-  return frame;
+/// Several threads share the pictures; a few are not worth the time it takes to set one up.
+std::size_t threadsFor(std::size_t frames) {
+  constexpr std::size_t kWorthwhile = 16;
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  return std::clamp<std::size_t>(frames / kWorthwhile, 1, cores);
 }
 
-/// What the right camera of a stereo camera sees; empty where there is none.
-cv::Mat renderRight(Renderer& renderer, const SynthesisOptions& options, double t_s,
-                    const Eigen::Isometry3d& T_world_cam) {
-  if (!options.camera.stereoBaseline_m) return {};
-  const Eigen::Translation3d toTheRight(*options.camera.stereoBaseline_m, 0, 0);
-  return renderer.render(t_s, T_world_cam * toTheRight).color_bgr;
-}
+/// Wheels and inertial sensor, in order of time.
+class MotionRecorder {
+ public:
+  MotionRecorder(const Setting& setting, const SynthesisOptions& options) {
+    const auto T_world_sensor = [&setting](double t_s) {
+      return setting.T_world_cam(t_s) * core::T_sensor_cam().inverse();
+    };
+    const Eigen::Isometry3d T_sensor_base = statedMount(options.camera).inverse();
+    const auto T_world_base = [=](double t_s) { return T_world_sensor(t_s) * T_sensor_base; };
+    const std::uint32_t seed = options.place.scene.seed;
+    if (options.sensor.odometry) odometry_.emplace(T_world_base, *options.sensor.odometry, seed);
+    if (options.sensor.imu) imu_.emplace(T_world_sensor, *options.sensor.imu, seed);
+  }
+
+  /// All that was measured until then and is not written yet.
+  void writeUntil(double t_s, Recording& recording) {
+    constexpr double kNever_s = std::numeric_limits<double>::infinity();
+    while (true) {
+      const double odometry_s = odometry_ ? odometry_->nextStamp_s() : kNever_s;
+      const double imu_s = imu_ ? imu_->nextStamp_s() : kNever_s;
+      if (std::min(odometry_s, imu_s) > t_s) return;
+      if (odometry_s <= imu_s) {
+        recording.writeOdometry(kFirstStamp_s + odometry_s, odometry_->next());
+      } else {
+        recording.writeImu(kFirstStamp_s + imu_s, imu_->next());
+      }
+    }
+  }
+
+ private:
+  std::optional<WheelOdometry> odometry_;
+  std::optional<Imu> imu_;
+};
 
 }  // namespace
 
-std::size_t synthesise(const SynthesisOptions& options, const std::function<bool(std::size_t, std::size_t)>& goOn) {
-  const core::CameraModel camera = cameraFor(options.camera.width_px, options.camera.height_px);
-  const Setting setting = buildPlace(options.place, options.camera.mount);
-  Renderer renderer(setting.scene, camera);
-  SequenceWriter writer(options.output.file, {camera, options.camera.stereoBaseline_m}, allLabels(setting.scene));
+double timeOf(std::size_t frame, double rate_hz) {
+  return std::round(static_cast<double>(frame) / rate_hz * 1e6) / 1e6;
+}
 
-  const std::size_t total = frameCount(options.output.seconds.value_or(setting.duration_s), options.camera.rate_hz);
+std::size_t synthesise(const SynthesisOptions& options, const std::function<bool(std::size_t, std::size_t)>& goOn) {
+  const double rate_hz = options.camera.rate_hz;
+  const Setting setting = buildPlace(options.place, options.camera.mount);
+  const std::size_t total = frameCount(options.output.seconds.value_or(setting.duration_s), rate_hz);
+  const std::vector<bool> lost = lostFrames(total, options.sensor.mishaps.lostShare, options.place.scene.seed);
+  SequenceWriter writer(
+      options.output, {modelOf(options.camera), options.camera.stereoBaseline_m, statedMount(options.camera), rate_hz},
+      allLabels(setting.scene));
+  const auto newMaker = [&]() -> OrderedWork<EncodedFrame>::Maker {
+    const auto camera = std::make_shared<RecordingCamera>(setting, options);
+    return [&, camera](std::size_t index) -> EncodedFrame {
+      const double t_s = timeOf(index, rate_hz);
+      if (lost[index]) return {kFirstStamp_s + t_s, setting.T_world_cam(t_s), {}, {}};
+      return writer.encode(camera->shoot(index));
+    };
+  };
+  OrderedWork<EncodedFrame> work(total, threadsFor(total), newMaker);
+  MotionRecorder motion(setting, options);
   std::size_t done = 0;
-  std::future<void> recording;  // of the frame before, while the next one is rendered
   while (done < total) {
-    const double t_s = timeOf(done, options.camera.rate_hz);
-    const Eigen::Isometry3d T_world_cam = setting.T_world_cam(t_s);
-    const Rendering rendering = renderer.render(t_s, T_world_cam);
-    const cv::Mat right_bgr = renderRight(renderer, options, t_s, T_world_cam);
-    if (recording.valid()) recording.get();
-    recording = std::async(std::launch::async, [&, rendering, right_bgr, done] {
-      writer.write(record(rendering, right_bgr, setting, options, done));
-    });
+    const EncodedFrame frame = work.take();
+    motion.writeUntil(timeOf(done, rate_hz), writer.recording());
+    writer.write(frame);
     if (!goOn(++done, total)) break;
   }
-  recording.get();
-  const double seconds = static_cast<double>(done) / options.camera.rate_hz;
+  const double seconds = static_cast<double>(done) / rate_hz;
   writer.finish(staticObjects(setting, seconds), setting.floorPlan(setting.scene, seconds),
                 [&](const std::filesystem::path& folder) {
                   if (setting.writeFurtherTruth) setting.writeFurtherTruth(folder, seconds);

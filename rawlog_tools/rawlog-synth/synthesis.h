@@ -20,6 +20,9 @@ struct SynthesisOptions {
 
 constexpr double kFirstStamp_s = 1700000000.0;
 
+/// Seconds after the start, such that stamps are whole microseconds.
+[[nodiscard]] double timeOf(std::size_t frame, double rate_hz);
+
 /// Renders the place and writes it (SequenceWriter). `goOn` is asked after every frame, with the number of frames done
 /// and of all; when it says no, what has been rendered is finished as a shorter sequence. Returns the number of frames.
 /// The same options give the same bytes. Throws core::InputError.

@@ -37,7 +37,7 @@ void TriangleList::add(const Mesh& mesh, std::uint16_t instanceId) {
   }
 }
 
-TriangleList::View TriangleList::lookedAt(const cv::Mat& triangleNumbers, const core::CameraModel& camera,
+TriangleList::View TriangleList::lookedAt(const cv::Mat& triangleNumbers, const LensView& lens,
                                           const Eigen::Isometry3d& T_world_cam) const {
   const Eigen::Isometry3d T_cam_world = T_world_cam.inverse();
   View view{cv::Mat::zeros(triangleNumbers.size(), CV_32FC1), cv::Mat::zeros(triangleNumbers.size(), CV_16UC1)};
@@ -51,8 +51,7 @@ TriangleList::View TriangleList::lookedAt(const cv::Mat& triangleNumbers, const 
         const Triangle& triangle = triangles_[static_cast<std::size_t>(number)];
         if (number != known) plane = planeThrough(triangle.corners_m, T_cam_world);
         known = number;
-        view.depth_m.at<float>(y, x) =
-            static_cast<float>(depthAlong(camera.unproject(Eigen::Vector2d(x, y), 1.0), plane));
+        view.depth_m.at<float>(y, x) = static_cast<float>(depthAlong(lens.ray(x, y), plane));
         view.instanceIds.at<std::uint16_t>(y, x) = triangle.instanceId;
       }
     }

@@ -6,8 +6,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "lens.h"
 #include "mesh.h"
-#include "wardslam/core/camera_model.h"
 
 namespace wardslam::synth {
 
@@ -27,7 +27,7 @@ class TriangleList {
   /// Exact depth and instance of every pixel from the number of the triangle it shows (CV_32SC1, -1 = none): its ray is
   /// cut with the triangle's plane. (What MRPT makes of the depth buffer is off by
   /// millimetres.)
-  [[nodiscard]] View lookedAt(const cv::Mat& triangleNumbers, const core::CameraModel& camera,
+  [[nodiscard]] View lookedAt(const cv::Mat& triangleNumbers, const LensView& lens,
                               const Eigen::Isometry3d& T_world_cam) const;
 
  private:

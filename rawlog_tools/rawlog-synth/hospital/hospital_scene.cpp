@@ -16,25 +16,6 @@
 namespace wardslam::synth {
 namespace {
 
-/// Rooms seen from where the camera is; worked out once per place.
-class SeenRooms {
- public:
-  explicit SeenRooms(HospitalPlan plan) : plan_(std::move(plan)) {}
-  bool operator()(int room, const Eigen::Isometry3d& T_world_cam) {
-    const Eigen::Vector2d p = T_world_cam.translation().head<2>();
-    if (seen_.empty() || p != from_m_) {
-      from_m_ = p;
-      seen_ = roomsSeenFrom(plan_, p);
-    }
-    return seen_.at(static_cast<std::size_t>(room));
-  }
-
- private:
-  HospitalPlan plan_;
-  Eigen::Vector2d from_m_ = Eigen::Vector2d::Zero();
-  std::vector<bool> seen_;
-};
-
 void addItem(Scene& scene, const Item& item) {
   const Label label{static_cast<std::uint16_t>(item.identity), nameOf(item), classIdOf(item.kind),
                     classNameOf(item.kind)};
@@ -60,7 +41,11 @@ Scene buildHospital(const Hospital& hospital, std::uint32_t seed) {
   scene.things = buildWalls(hospital.plan, seed);
   for (const Item& item : hospital.today.items) addItem(scene, item);
   scene.textures = paintHospitalTextures(hospital.plan.height_m, signTexts(hospital.plan), seed);
-  scene.mayBeSeen = SeenRooms(hospital.plan);
+  scene.mayBeSeen = [plan = hospital.plan](int room, const Eigen::Isometry3d& T_world_cam) {
+    const Eigen::Vector2d p = T_world_cam.translation().head<2>();
+    return static_cast<bool>(roomsSeenFrom(plan, p).at(static_cast<std::size_t>(room)));
+  };
+  scene.farthest_m = static_cast<float>(hospital.plan.size_m.norm()) + 1.0F;
   return scene;
 }
 

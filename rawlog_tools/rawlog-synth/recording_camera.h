@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+
+#include "place.h"
+#include "renderer.h"
+#include "sequence_writer.h"
+#include "synthesis.h"
+
+namespace wardslam::synth {
+
+/// Takes the pictures of a sequence. Each depends on its number alone, so that several cameras, each in a thread of its
+/// own, can share the work.
+class RecordingCamera {
+ public:
+  /// Keeps references. Throws core::InputError when nothing can be rendered.
+  RecordingCamera(const Setting& setting, const SynthesisOptions& options);
+
+  [[nodiscard]] SequenceFrame shoot(std::size_t index);
+
+ private:
+  [[nodiscard]] cv::Mat smeared(double t_s, const Eigen::Isometry3d& T_cam_eye);
+  [[nodiscard]] cv::Mat measured(const Rendering& rendering, double coveredShare, std::uint64_t seed) const;
+
+  const Setting& setting_;
+  const SynthesisOptions& options_;
+  core::CameraModel model_;
+  Renderer renderer_;
+};
+
+}  // namespace wardslam::synth
