@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to a running WardSLAM. Every verb can be run again at any time and from any folder.
+# From a fresh Debian 12 or 13 to a running WardSLAM. Every verb can be run again at any time and from any folder.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -7,7 +7,8 @@ readonly PRESET=release
 readonly BIN=build/${PRESET}/bin
 readonly DEMO=demo
 
-# What docs/architecture.md calls the libraries the project stands on, then the tools of the tests.
+# What docs/architecture.md calls the libraries the project stands on, then the tools of the tests: by the same names
+# in Debian 12 and 13.
 readonly PACKAGES=(
   build-essential cmake ninja-build pkg-config
   libmrpt-dev libopencv-dev libceres-dev libeigen3-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libpcl-dev
@@ -19,6 +20,10 @@ readonly PACKAGES=(
   mrpt-apps # rawlog-edit and rawlog-grabber, which the tests run
   dpkg-dev file # the Debian package
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
+)
+# What is installed where the release has it; all is built, and nearly all tested, without.
+readonly PACKAGES_WHERE_KNOWN=(
+  libonnxruntime-dev # networks on ONNX Runtime; from Debian 13 on
 )
 
 say() { printf '\n==> %s\n' "$*"; }
@@ -40,32 +45,45 @@ usage: ./bootstrap.sh VERB
 TEXT
 }
 
-missing_packages() {
+# missing_among PACKAGE...: those that are not installed.
+missing_among() {
   local package
-  for package in "${PACKAGES[@]}"; do
+  for package in "$@"; do
     [[ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] || printf '%s\n' "$package"
   done
 }
 
+# Those of PACKAGES_WHERE_KNOWN that are not installed, but could be.
+missing_where_known() {
+  local package
+  for package in $(missing_among "${PACKAGES_WHERE_KNOWN[@]}"); do
+    apt-cache show --no-all-versions "$package" &>/dev/null && printf '%s\n' "$package"
+  done
+  return 0
+}
+
 deps() {
   if ! { command -v apt-get && command -v dpkg-query; } >/dev/null; then
-    die "this system has no apt; install the counterparts of these Debian 12 packages yourself, then build with" \
+    die "this system has no apt; install the counterparts of these Debian packages yourself, then build with" \
       "cmake --preset ${PRESET}: ${PACKAGES[*]}"
   fi
   local missing as_root=()
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_among "${PACKAGES[@]}"; missing_where_known)
   if ((${#missing[@]} == 0)); then
     say "All ${#PACKAGES[@]} Debian packages are there"
     return
   fi
   if ((EUID != 0)); then
-    command -v sudo >/dev/null ||
+    if ! command -v sudo >/dev/null; then
+      [[ -z "$(missing_among "${PACKAGES[@]}")" ]] && return # all that is needed is there
       die "installing packages needs root and there is no sudo; as root run: apt-get install ${missing[*]}"
+    fi
     as_root=(sudo)
   fi
-  say "Installing ${#missing[@]} Debian packages: ${missing[*]}"
   "${as_root[@]}" apt-get update ||
     die "apt-get update failed; check the network and /etc/apt/sources.list, then run this again"
+  mapfile -t missing < <(missing_among "${PACKAGES[@]}"; missing_where_known) # apt may know more by now
+  say "Installing ${#missing[@]} Debian packages: ${missing[*]}"
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${missing[@]}" ||
     die "apt-get could not install what is missing (see its message above); WardSLAM needs: ${missing[*]}"
 }

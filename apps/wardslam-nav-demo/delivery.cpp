@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wardslam/navigation/route.h"
+#include "wardslam/query/route.h"
 
 namespace wardslam::nav_demo {
 namespace {
@@ -74,16 +74,16 @@ bool Delivery::turnTo(double yaw_rad, double tolerance_rad) {
 
 /// To the spot, or where somebody stands there, to another.
 std::optional<std::vector<Eigen::Vector2d>> Delivery::routeOver(const mapping::FloorPlan& plan) {
-  const mapping::DrivableFloor floor(plan, mission_.rules);
+  const query::DrivableFloor floor(plan, mission_.rules);
   const Eigen::Vector2d here_m = robot_.T_map_robot().translation();
-  if (auto route = navigation::planRoute(floor, here_m, mission_.spot.p_map_m)) {
+  if (auto route = query::planRoute(floor, here_m, mission_.spot.p_map_m)) {
     spot_ = mission_.spot;
     return route;
   }
   const auto other = floor.spotBeside(*mission_.object, kReach_m, here_m);
   if (!other) return std::nullopt;
   spot_ = *other;
-  return navigation::planRoute(floor, here_m, spot_.p_map_m);
+  return query::planRoute(floor, here_m, spot_.p_map_m);
 }
 
 /// The first time by the map alone; later around what is seen, and where that leaves no way, it waits.

@@ -22,7 +22,7 @@ class Delivery {
 
   [[nodiscard]] bool isOver() const { return phase_ == Phase::Arrived; }
   /// Where it stops: the mission's spot, or another beside the object when somebody stands there.
-  [[nodiscard]] const mapping::Spot& spot() const { return spot_; }
+  [[nodiscard]] const query::Spot& spot() const { return spot_; }
   [[nodiscard]] int replans() const { return replans_; }
   [[nodiscard]] double waited_s() const { return waited_s_; }
   /// What it is at, for people.
@@ -44,7 +44,7 @@ class Delivery {
   RobotInterface& robot_;
   ReactiveNavigator& navigator_;
   Phase phase_ = Phase::Planning;
-  mapping::Spot spot_;
+  query::Spot spot_;
   std::vector<Eigen::Vector2d> route_m_;
   double since_s_ = 0.0;  ///< When the phase began.
   double last_s_ = 0.0;

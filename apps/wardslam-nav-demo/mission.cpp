@@ -5,8 +5,8 @@
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
-#include "wardslam/mapping/object_name.h"
-#include "wardslam/navigation/route.h"
+#include "wardslam/query/object_name.h"
+#include "wardslam/query/route.h"
 
 namespace wardslam::nav_demo {
 namespace {
@@ -45,9 +45,9 @@ std::string listOf(const std::vector<mapping::Zone>& zones) {
 
 /// Why there is no spot beside the object with a way to it.
 std::string reasonFor(const Mission& mission, const mapping::FloorPlan& plan, const Eigen::Vector2d& start_m) {
-  const mapping::DrivingRules free{mission.rules.radius_m, {}, false};
-  const mapping::DrivableFloor anywhere(plan, free);
-  const mapping::DrivableFloor allowed(plan, mission.rules);
+  const query::DrivingRules free{mission.rules.radius_m, {}, false};
+  const query::DrivableFloor anywhere(plan, free);
+  const query::DrivableFloor allowed(plan, mission.rules);
   if (!anywhere.nearestFree(start_m, mission.rules.radius_m))
     return "the robot does not start on free floor of the map";
   if (!anywhere.spotBeside(*mission.object, kReach_m))
@@ -66,20 +66,20 @@ std::string reasonFor(const Mission& mission, const mapping::FloorPlan& plan, co
 Mission planMission(const mapping::SemanticMap& map, const Order& order, const RobotOptions& robot) {
   if (map.floorPlan.cells.empty()) throw core::InputError("the map has no floor plan to drive by");
   Mission mission;
-  mission.object = &mapping::objectNamed(map, order.target);
-  mission.name = mapping::nameOf(*mission.object, map);
+  mission.object = &query::objectNamed(map, order.target);
+  mission.name = query::nameOf(*mission.object, map);
   mission.className = map.labels.name(mission.object->classId);
   mission.forbidden = zonesNamed(order.forbidden, map);
-  mission.closedPlan = mapping::closeZones(map.floorPlan, mission.forbidden);
+  mission.closedPlan = query::closeZones(map.floorPlan, mission.forbidden);
   mission.closedPlan.cells.setTo(mapping::FloorPlan::kOccupied,
                                  mission.closedPlan.cells == mapping::FloorPlan::kUnknown);
   mission.rules = {robot.radius_m + robot.margin_m, mission.forbidden, false};
   mission.T_map_start = startOf(order, map);
 
   const Eigen::Vector2d start_m = mission.T_map_start.translation();
-  const mapping::DrivableFloor floor(map.floorPlan, mission.rules);
+  const query::DrivableFloor floor(map.floorPlan, mission.rules);
   const auto spot = floor.spotBeside(*mission.object, kReach_m, start_m);
-  const auto route = spot ? navigation::planRoute(floor, start_m, spot->p_map_m) : std::nullopt;
+  const auto route = spot ? query::planRoute(floor, start_m, spot->p_map_m) : std::nullopt;
   if (!route) throw core::InputError(reasonFor(mission, map.floorPlan, start_m));
   mission.spot = *spot;
   mission.route_m = *route;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "simulated_robot.h"
-#include "wardslam/mapping/drivable_floor.h"
 #include "wardslam/mapping/semantic_map.h"
+#include "wardslam/query/drivable_floor.h"
 
 namespace wardslam::nav_demo {
 
@@ -28,9 +28,9 @@ struct Mission {
   mapping::FloorPlan
       closedPlan;  ///< The map's, occupied where the robot must not go: in zones, and where nobody has been.
   std::vector<mapping::Zone> forbidden;
-  mapping::DrivingRules rules;
+  query::DrivingRules rules;
   Eigen::Isometry2d T_map_start = Eigen::Isometry2d::Identity();
-  mapping::Spot spot;
+  query::Spot spot;
   std::vector<Eigen::Vector2d> route_m;
 };
 

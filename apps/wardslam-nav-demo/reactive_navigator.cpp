@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "wardslam/core/mrpt_nav_compat.h"
+
 namespace wardslam::nav_demo {
 namespace {
 
@@ -34,8 +36,6 @@ min_normalized_free_space_for_ptg_continuation = 0.2
 enable_obstacle_filtering = false
 evaluate_clearance = false
 [CHolonomicFullEval]
-factorWeights = [0.25, 0.1, 1, 0.05, 0.5, 1, 1]
-factorNormalizeOrNot = [0, 0, 0, 0, 1, 1, 0]
 TOO_CLOSE_OBSTACLE = 0.05
 TARGET_SLOW_APPROACHING_DISTANCE = 0.3
 OBSTACLE_SLOW_DOWN_DISTANCE = 0.15
@@ -75,14 +75,14 @@ std::string ptg(int index, const std::string& type, const RobotOptions& robot, c
          "w_max_dps = " + std::to_string(robot.maxTurn_radps * kRadToDeg) + "\n" + key + own;
 }
 
-std::string settings(const RobotOptions& robot, const std::filesystem::path& cache) {
+std::string settings(const RobotOptions& robot) {
   return "[CReactiveNavigationSystem]\nmin_obstacles_height = 0.0\nmax_obstacles_height = 2.0\nPTG_COUNT = 2\n" +
          ptg(0, "CPTG_DiffDrive_C", robot, "K = 1.0\nPTG0_score_priority = 1.0\n") +
          ptg(1, "CPTG_DiffDrive_alpha", robot, "cte_a0v_deg = 57\nPTG1_cte_a0w_deg = 57\nPTG1_score_priority = 1.0\n") +
-         kFixedSettings + "[CAbstractPTGBasedReactive]\nref_distance = " + std::to_string(kForesees_m) +
+         kFixedSettings + "[CHolonomicFullEval]\n" + core::kFullEvalFactors +
+         "[CAbstractPTGBasedReactive]\nref_distance = " + std::to_string(kForesees_m) +
          "\nrobotMax_V_mps = " + std::to_string(robot.maxSpeed_mps) +
-         "\nrobotMax_W_degps = " + std::to_string(robot.maxTurn_radps * kRadToDeg) +
-         "\nptg_cache_files_directory = " + cache.string() + "\n";
+         "\nrobotMax_W_degps = " + std::to_string(robot.maxTurn_radps * kRadToDeg) + "\n";
 }
 
 /// Around the robot's circle and a little more, since the tables know cells of 5 cm.
@@ -110,7 +110,8 @@ struct ReactiveNavigator::System : mrpt::nav::CReactiveNavigationSystem {
 ReactiveNavigator::ReactiveNavigator(RobotInterface& robot, const RobotOptions& options,
                                      const std::filesystem::path& cache)
     : system_(std::make_unique<System>(robot)) {
-  system_->loadConfigFile(mrpt::config::CConfigFileMemory(settings(options, cache)));
+  system_->loadConfigFile(mrpt::config::CConfigFileMemory(settings(options)));
+  system_->params_abstract_ptg_navigator.ptg_cache_files_directory = cache.string();  // no configuration sets it
   system_->changeRobotShape(shapeOf(options));
   system_->initialize();
 }

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "support/table.h"
-#include "wardslam/navigation/route.h"
+#include "wardslam/query/route.h"
 
 namespace wardslam::nav_demo {
 namespace {
@@ -43,7 +43,7 @@ std::string sentenceOf(const RunRecord& run, const Mission& mission) {
 void print(std::ostream& out, const std::vector<RunRecord>& runs, const Mission& mission, const Truth& truth) {
   out << "Deliver to " << mission.name << " (object #" << mission.object->id << "): stop at "
       << metres(mission.spot.p_map_m.x()) << " " << metres(mission.spot.p_map_m.y()) << ", facing it; "
-      << metres(navigation::lengthOf_m(mission.T_map_start.translation(), mission.route_m)) << " m planned\n"
+      << metres(query::lengthOf_m(mission.T_map_start.translation(), mission.route_m)) << " m planned\n"
       << "Truth: " << truth.source << "; the map is " << fixed(1000.0 * truth.mapError_m, 1)
       << " mm off (RMS of its keyframes)\n\n";
   apps::Table table({"seed", "outcome", "time s", "way m", "to people m", "to things m", "encounters", "plans anew",
@@ -66,15 +66,14 @@ nlohmann::ordered_json toJson(const std::vector<RunRecord>& runs, const Mission&
   const auto number = [](double value) {
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
   };
-  nlohmann::ordered_json json = {
-      {"target", mission.name},
-      {"object_id", mission.object->id},
-      {"spot", {mission.spot.p_map_m.x(), mission.spot.p_map_m.y(), mission.spot.yaw_rad}},
-      {"planned_m", navigation::lengthOf_m(mission.T_map_start.translation(), mission.route_m)},
-      {"truth", truth.source},
-      {"map_error_m", truth.mapError_m},
-      {"good_runs", countOf(runs, [](const auto& run) { return run.isGood(); })},
-      {"runs", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json = {{"target", mission.name},
+                                 {"object_id", mission.object->id},
+                                 {"spot", {mission.spot.p_map_m.x(), mission.spot.p_map_m.y(), mission.spot.yaw_rad}},
+                                 {"planned_m", query::lengthOf_m(mission.T_map_start.translation(), mission.route_m)},
+                                 {"truth", truth.source},
+                                 {"map_error_m", truth.mapError_m},
+                                 {"good_runs", countOf(runs, [](const auto& run) { return run.isGood(); })},
+                                 {"runs", nlohmann::ordered_json::array()}};
   for (const auto& run : runs) {
     const Verdict& verdict = run.verdict;
     json["runs"].push_back({{"seed", run.seed},

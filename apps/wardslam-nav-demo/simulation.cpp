@@ -66,7 +66,7 @@ class People {
   }
 
  private:
-  mapping::DrivableFloor floor_;
+  query::DrivableFloor floor_;
   WalkingGround ground_;
   std::vector<std::unique_ptr<Walker>> walkers_;
 };

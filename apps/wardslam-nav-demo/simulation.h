@@ -39,7 +39,7 @@ struct RunRecord {
   double waited_s = 0.0;
   int replans = 0;
   Verdict verdict;
-  mapping::Spot spot;            ///< Where it stopped, or was to stop in the end.
+  query::Spot spot;              ///< Where it stopped, or was to stop in the end.
   double goalError_m = 0.0;      ///< From there to where it truly stands.
   double facingError_rad = 0.0;  ///< And how far it looks past.
   double toTarget_m = 0.0;       ///< From its hull to the true outline of what it delivers to; NaN where unknown.

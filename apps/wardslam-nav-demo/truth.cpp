@@ -12,7 +12,7 @@
 
 #include "wardslam/core/errors.h"
 #include "wardslam/evaluation/absolute_trajectory_error.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "wardslam/exchange/tum_trajectory.h"
 
 namespace wardslam::nav_demo {
 namespace fs = std::filesystem;
@@ -93,7 +93,7 @@ Truth readTruth(const fs::path& rawlog, const mapping::SemanticMap& map) {
   Truth truth;
   truth.floor = readRosMap(labels / "floor.yaml");
   truth.things = readThings(labels / "objects.csv");
-  const auto groundTruth = storage::readTumTrajectory(stem.string() + ".groundtruth.txt");
+  const auto groundTruth = exchange::readTumTrajectory(stem.string() + ".groundtruth.txt");
   const auto alignment = evaluation::absoluteTrajectoryError(groundTruth, keyframesOf(map));
   truth.T_world_map = onFloor(alignment.T_groundtruth_estimate);
   truth.mapError_m = alignment.translation_m.rmse;

@@ -7,7 +7,7 @@
 
 #include "random_numbers.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/navigation/route.h"
+#include "wardslam/query/route.h"
 
 namespace wardslam::nav_demo {
 namespace {
@@ -28,7 +28,7 @@ Eigen::Vector2d placeAwayFrom(const WalkingGround& ground, const Eigen::Vector2d
   for (int i = 0; i < kTries; ++i) {
     const Eigen::Vector2d p = anywhere(ground.floor->plan(), random);
     if (!ground.floor->nearestFree(p, 0.0) || (p - away_m).norm() < clear_m) continue;
-    if (navigation::planRoute(*ground.floor, p, away_m)) return p;  // not outside of the building
+    if (query::planRoute(*ground.floor, p, away_m)) return p;  // not outside of the building
   }
   throw core::InputError("there is no place for a person in the room; ask for fewer (--people)");
 }
@@ -39,7 +39,7 @@ Walker::Walker(const WalkingGround& ground, const WalkerHabits& habits, const Ei
   pace_mps_ = uniform(random_, habits.slowest_mps, habits.fastest_mps);
 }
 
-void Walker::choosePlace(const mapping::DrivableFloor& floor) {
+void Walker::choosePlace(const query::DrivableFloor& floor) {
   way_m_.clear();
   wasAttracted_ = !wasAttracted_ && !ground_.attractions_m.empty();
   for (int i = 0; i < kTries && way_m_.empty(); ++i) {
@@ -48,13 +48,13 @@ void Walker::choosePlace(const mapping::DrivableFloor& floor) {
                                             random_, 0.0, static_cast<double>(ground_.attractions_m.size()) - 1e-9))]
                                       : anywhere(ground_.floor->plan(), random_);
     if ((place - p_m_).norm() < kShortestWay_m) continue;
-    if (auto way = navigation::planRoute(floor, p_m_, place, 0.2)) way_m_ = std::move(*way);
+    if (auto way = query::planRoute(floor, p_m_, place, 0.2)) way_m_ = std::move(*way);
   }
   std::reverse(way_m_.begin(), way_m_.end());
 }
 
 /// The ground without where those stand who are in the way.
-mapping::DrivableFloor Walker::floorAround(const std::vector<Disc>& others) const {
+query::DrivableFloor Walker::floorAround(const std::vector<Disc>& others) const {
   const auto& all = ground_.floor->plan();
   mapping::FloorPlan plan{all.cells.clone(), all.resolution_m, all.origin_m};
   for (const Disc& other : others) {

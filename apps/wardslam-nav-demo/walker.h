@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "true_world.h"
-#include "wardslam/mapping/drivable_floor.h"
+#include "wardslam/query/drivable_floor.h"
 
 namespace wardslam::nav_demo {
 
@@ -23,8 +23,8 @@ struct WalkerHabits {
 
 /// Where people walk: on true floor, often to somewhere on the robot's way.
 struct WalkingGround {
-  const mapping::DrivableFloor* floor = nullptr;  ///< World frame, for a person's radius.
-  std::vector<Eigen::Vector2d> attractions_m;     ///< Points of the robot's way.
+  const query::DrivableFloor* floor = nullptr;  ///< World frame, for a person's radius.
+  std::vector<Eigen::Vector2d> attractions_m;   ///< Points of the robot's way.
 };
 
 /// Somebody who walks from place to place on the shortest way. World frame.
@@ -38,8 +38,8 @@ class Walker {
   [[nodiscard]] Disc disc() const { return {p_m_, habits_.radius_m}; }
 
  private:
-  void choosePlace(const mapping::DrivableFloor& floor);
-  [[nodiscard]] mapping::DrivableFloor floorAround(const std::vector<Disc>& others) const;
+  void choosePlace(const query::DrivableFloor& floor);
+  [[nodiscard]] query::DrivableFloor floorAround(const std::vector<Disc>& others) const;
   [[nodiscard]] bool isInTheWay(const Disc& other) const;
   [[nodiscard]] double wantedSpeed_mps(const std::vector<Disc>& others) const;
 

@@ -9,7 +9,7 @@
 
 #include "support/playback_clock.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/storage/map_scene.h"
+#include "wardslam/viewer/map_scene.h"
 
 namespace wardslam::nav_demo {
 namespace {
@@ -43,7 +43,7 @@ WatchWindow::WatchWindow(const mapping::SemanticMap& map, const Mission& mission
   requireDisplay();
   window_ = std::make_unique<Window>("Deliver to " + mission.name);
   auto& scene = window_->window.get3DSceneAndLock();
-  scene = storage::makeScene(map);
+  scene = viewer::makeScene(map);
   window_->robot = makeCylinder(options.robot.radius_m, kRobotHeight_m, {235, 90, 0});
   scene->insert(window_->robot);
   for (int i = 0; i < options.peopleCount; ++i) {

@@ -7,8 +7,8 @@
 
 #include "wardslam/core/data_files.h"
 #include "wardslam/knowledge/knowledge_graph.h"
+#include "wardslam/masks/async_segmenter.h"
 #include "wardslam/pipeline/slam_options.h"
-#include "wardslam/segmentation/async_segmenter.h"
 
 namespace wardslam::apps {
 namespace {
@@ -26,9 +26,8 @@ class SegmentsNothing : public segmentation::Segmenter {
 void printConfiguration(const std::filesystem::path& file) {
   const auto options = file.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(file);
   const auto knowledge = knowledge::KnowledgeGraph::fromFile(core::findDataFile(options.knowledge.file, options.file));
-  const filters::FilterContext context{
-      std::make_shared<segmentation::AsyncSegmenter>(std::make_unique<SegmentsNothing>()),
-      std::make_shared<knowledge::KnowledgeGraph>(knowledge)};
+  const filters::FilterContext context{std::make_shared<masks::AsyncSegmenter>(std::make_unique<SegmentsNothing>()),
+                                       std::make_shared<knowledge::KnowledgeGraph>(knowledge)};
   std::cout << pipeline::writeSlamOptions(options, filters::FilterChain(options.filters, context));
 }
 

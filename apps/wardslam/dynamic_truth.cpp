@@ -1,10 +1,7 @@
 #include "dynamic_truth.h"
 
-#include <mrpt/obs/CObservation3DRangeScan.h>
-
 #include <opencv2/imgcodecs.hpp>
 
-#include "wardslam/core/annotation.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_pixel.h"
 
@@ -22,13 +19,10 @@ cv::Mat readTruth(const std::filesystem::path& file, const cv::Size& size) {
   return truth;
 }
 
-/// 255 where the filters wrote "dynamic"; nowhere where they wrote nothing.
+/// 255 where the filters say that something moves; nowhere where they say nothing.
 cv::Mat markedDynamic(const core::Frame& frame) {
-  cv::Mat bits;
-  if (frame.observation) bits = core::annotationOf(*frame.observation);
-  if (bits.size() != frame.gray.size()) return cv::Mat::zeros(frame.gray.size(), CV_8UC1);
-  cv::bitwise_and(bits, cv::Scalar(core::bitOf(core::PixelLabel::Dynamic)), bits);
-  return bits;
+  const cv::Mat dynamic = core::dynamicPixels(frame);
+  return dynamic.empty() ? cv::Mat::zeros(frame.gray.size(), CV_8UC1) : dynamic;
 }
 
 bool isSet(const cv::Mat& mask, const cv::Point2f& raw_px) {

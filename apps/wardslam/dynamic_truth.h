@@ -20,7 +20,7 @@ class DynamicTruth : public pipeline::FrameObserver {
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
 
   [[nodiscard]] std::size_t frames() const { return frames_; }  ///< That were compared.
-  /// The pixels annotated as dynamic.
+  /// The pixels labelled as dynamic.
   [[nodiscard]] const evaluation::DetectionScore& pixels() const { return pixels_; }
   [[nodiscard]] const evaluation::DetectionScore& keypoints() const { return keypoints_; }
 

@@ -15,7 +15,7 @@
 #include "wardslam/evaluation/absolute_trajectory_error.h"
 #include "wardslam/evaluation/coverage.h"
 #include "wardslam/evaluation/relative_pose_error.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "wardslam/exchange/tum_trajectory.h"
 
 namespace wardslam::apps {
 namespace {
@@ -38,13 +38,13 @@ std::pair<double, double> recordingSpan(const std::filesystem::path& groundTruth
                                         const core::Trajectory& groundTruth) {
   const std::filesystem::path images = groundTruthFile.parent_path() / "rgb.txt";
   if (!std::filesystem::exists(images)) return {groundTruth.front().stamp_s, groundTruth.back().stamp_s};
-  const auto stamps_s = storage::readTumStamps(images);
+  const auto stamps_s = exchange::readTumStamps(images);
   return {stamps_s.front(), stamps_s.back()};
 }
 
 Evaluation evaluate(const EvalArguments& arguments) {
-  const auto groundTruth = storage::readTumTrajectory(arguments.groundTruth);
-  const auto trajectory = storage::readTumTrajectory(arguments.trajectory);
+  const auto groundTruth = exchange::readTumTrajectory(arguments.groundTruth);
+  const auto trajectory = exchange::readTumTrajectory(arguments.trajectory);
   const auto [begin_s, end_s] = recordingSpan(arguments.groundTruth, groundTruth);
   try {
     return {evaluation::absoluteTrajectoryError(groundTruth, trajectory),

@@ -11,7 +11,7 @@
 #include "wardslam/evaluation/absolute_trajectory_error.h"
 #include "wardslam/evaluation/object_evaluation.h"
 #include "wardslam/evaluation/object_files.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "wardslam/exchange/tum_trajectory.h"
 
 namespace wardslam::apps {
 namespace {
@@ -41,8 +41,8 @@ void leaveOutClassesAbove(std::vector<Object>& objects, int maxClass) {
 Comparison compare(const EvalObjectsArguments& arguments) {
   Comparison c;
   c.truth = evaluation::readTrueObjects(arguments.truth);
-  const auto alignment = evaluation::absoluteTrajectoryError(storage::readTumTrajectory(arguments.groundTruth),
-                                                             storage::readTumTrajectory(arguments.trajectory));
+  const auto alignment = evaluation::absoluteTrajectoryError(exchange::readTumTrajectory(arguments.groundTruth),
+                                                             exchange::readTumTrajectory(arguments.trajectory));
   c.found = evaluation::transformed(evaluation::readFoundObjects(arguments.objects), alignment.T_groundtruth_estimate);
   leaveOutClassesAbove(c.truth, arguments.maxClass);
   leaveOutClassesAbove(c.found, arguments.maxClass);

@@ -9,8 +9,8 @@
 
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/data_files.h"
-#include "wardslam/knowledge/graph_drawing.h"
 #include "wardslam/knowledge/knowledge_graph.h"
+#include "wardslam/viewer/graph_drawing.h"
 
 namespace wardslam::apps {
 namespace {
@@ -59,7 +59,7 @@ void show(const ShowArguments& arguments) {
   if (arguments.svg.empty()) {
     print(std::cout, graph);
   } else {
-    core::writeFileAtomically(arguments.svg, knowledge::drawSvg(graph));
+    core::writeFileAtomically(arguments.svg, viewer::drawSvg(graph));
   }
 }
 

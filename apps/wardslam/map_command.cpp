@@ -16,8 +16,8 @@
 #include "support/table.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
-#include "wardslam/mapping/map_difference.h"
-#include "wardslam/mapping/query.h"
+#include "wardslam/query/map_difference.h"
+#include "wardslam/query/map_query.h"
 #include "wardslam/storage/map_file.h"
 
 namespace wardslam::apps {
@@ -75,11 +75,11 @@ std::set<mapping::ObjectState> statesNamed(const std::string& name) {
   if (name == "moved") return {ObjectState::Moved};
   if (name == "gone") return {ObjectState::Gone};
   if (name == "any") return {ObjectState::Static, ObjectState::Moved, ObjectState::Gone};
-  return mapping::ObjectFilter().states;
+  return query::ObjectFilter().states;
 }
 
-mapping::ObjectFilter filterOf(const MapArguments& arguments, const mapping::SemanticMap& map) {
-  mapping::ObjectFilter filter;
+query::ObjectFilter filterOf(const MapArguments& arguments, const mapping::SemanticMap& map) {
+  query::ObjectFilter filter;
   if (!arguments.className.empty()) filter.classId = classNamed(arguments.className, map.labels);
   if (!arguments.zone.empty()) filter.zone = zoneNamed(arguments.zone, map);
   if (!arguments.box_m.empty()) {
@@ -102,13 +102,13 @@ void info(const MapArguments& arguments) {
 
 void objects(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const mapping::Query query(map);
+  const query::MapQuery query(map);
   const auto found = query.objects(filterOf(arguments, map));
   show(arguments, toJson(found, map.labels), [&](std::ostream& out) { print(out, found, map.labels); });
 }
 
-std::optional<mapping::NearObject> findNearest(const MapArguments& arguments, const mapping::Query& query,
-                                               const mapping::ObjectFilter& filter) {
+std::optional<query::NearObject> findNearest(const MapArguments& arguments, const query::MapQuery& query,
+                                             const query::ObjectFilter& filter) {
   const Eigen::Vector2d floor_m(arguments.point_m.data());
   if (arguments.alongFloor) return query.nearestAlongFloor(floor_m, filter);
   if (arguments.point_m.size() == 2) return query.nearest(floor_m, filter);
@@ -117,7 +117,7 @@ std::optional<mapping::NearObject> findNearest(const MapArguments& arguments, co
 
 void nearest(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const mapping::Query query(map);
+  const query::MapQuery query(map);
   const auto found = findNearest(arguments, query, filterOf(arguments, map));
   nlohmann::ordered_json json = {{"object", nullptr}, {"distance", nullptr}, {"along_floor", arguments.alongFloor}};
   if (found) {
@@ -136,21 +136,21 @@ void nearest(const MapArguments& arguments) {
 
 void at(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const mapping::Query query(map);
+  const query::MapQuery query(map);
   const auto place = query.at(Eigen::Vector3d(arguments.point_m.data()));
   show(arguments, toJson(place, map.labels), [&](std::ostream& out) { print(out, place, map.labels); });
 }
 
 void zones(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const mapping::Query query(map);
+  const query::MapQuery query(map);
   show(arguments, zonesJson(map, query), [&](std::ostream& out) { printZones(out, map, query); });
 }
 
 void diff(const MapArguments& arguments) {
   const auto before = readStoredMap(arguments.file, CloudPart::LeaveOut);
   const auto after = readStoredMap(arguments.other, CloudPart::LeaveOut);
-  const auto difference = mapping::difference(before, after);
+  const auto difference = query::difference(before, after);
   show(arguments, toJson(difference, after.labels), [&](std::ostream& out) { print(out, difference, after.labels); });
 }
 

@@ -9,7 +9,8 @@
 
 #include "stored_map.h"
 #include "support/program.h"
-#include "wardslam/storage/map_export.h"
+#include "wardslam/exchange/map_export.h"
+#include "wardslam/viewer/map_scene.h"
 
 namespace wardslam::apps {
 namespace {
@@ -23,17 +24,17 @@ struct Format {
   void (*write)(const SemanticMap& map, const Path& file);
 };
 
-void exportOctomap(const SemanticMap& map, const Path& file) { storage::exportOctomap(map, file); }
+void exportOctomap(const SemanticMap& map, const Path& file) { exchange::exportOctomap(map, file); }
 
 constexpr std::array<Format, 8> kFormats = {{
-    {"--ply", "the cloud: colour, class and instance of every point", storage::exportPly},
-    {"--pcd", "the cloud, for PCL: rgb, label, instance", storage::exportPcd},
+    {"--ply", "the cloud: colour, class and instance of every point", exchange::exportPly},
+    {"--pcd", "the cloud, for PCL: rgb, label, instance", exchange::exportPcd},
     {"--octomap", "occupied and free space: F.bt, or with probabilities F.ot", exportOctomap},
-    {"--scene", "cloud, boxes, zones and way, for SceneViewer3D: F.3Dscene", storage::exportScene},
-    {"--gridmap", "the floor plan for MRPT: F.gridmap", storage::exportGridmap},
-    {"--ros-map", "the floor plan for ROS map_server: F.yaml, with F.pgm beside it", storage::exportRosMap},
-    {"--geojson", "zones and objects as polygons, metres", storage::exportGeoJson},
-    {"--csv", "the objects, one per line", storage::exportCsv},
+    {"--scene", "cloud, boxes, zones and way, for SceneViewer3D: F.3Dscene", viewer::exportScene},
+    {"--gridmap", "the floor plan for MRPT: F.gridmap", exchange::exportGridmap},
+    {"--ros-map", "the floor plan for ROS map_server: F.yaml, with F.pgm beside it", exchange::exportRosMap},
+    {"--geojson", "zones and objects as polygons, metres", exchange::exportGeoJson},
+    {"--csv", "the objects, one per line", exchange::exportCsv},
 }};
 
 struct ExportArguments {

@@ -44,8 +44,8 @@ std::size_t keyframesIn(const mapping::SemanticMap& map, const std::string& zone
   return count;
 }
 
-std::size_t objectsIn(const mapping::Query& query, const std::string& zone) {
-  mapping::ObjectFilter filter;
+std::size_t objectsIn(const query::MapQuery& query, const std::string& zone) {
+  query::ObjectFilter filter;
   filter.zone = zone;
   return query.objects(filter).size();
 }
@@ -86,14 +86,14 @@ Json toJson(const Objects& objects, const core::LabelSpace& labels) {
   return {{"objects", list}};
 }
 
-Json toJson(const mapping::Place& place, const core::LabelSpace& labels) {
+Json toJson(const query::Place& place, const core::LabelSpace& labels) {
   Json json = toJson(place.objects, labels);
   json["zones"] = place.zones;
   json["floor"] = floorName(place.floor);
   return json;
 }
 
-Json toJson(const mapping::MapDifference& difference, const core::LabelSpace& labels) {
+Json toJson(const query::MapDifference& difference, const core::LabelSpace& labels) {
   Json moved = Json::array();
   for (const auto& pair : difference.moved) {
     moved.push_back({{"before", toJson(*pair.before, labels)},
@@ -106,7 +106,7 @@ Json toJson(const mapping::MapDifference& difference, const core::LabelSpace& la
           {"unchanged", difference.unchanged}};
 }
 
-Json zonesJson(const mapping::SemanticMap& map, const mapping::Query& query) {
+Json zonesJson(const mapping::SemanticMap& map, const query::MapQuery& query) {
   Json list = Json::array();
   for (const auto& zone : map.zones) {
     Json polygon = Json::array();
@@ -149,7 +149,7 @@ void print(std::ostream& out, const Objects& objects, const core::LabelSpace& la
   table.print(out);
 }
 
-void print(std::ostream& out, const mapping::Place& place, const core::LabelSpace& labels) {
+void print(std::ostream& out, const query::Place& place, const core::LabelSpace& labels) {
   out << "floor: " << floorName(place.floor) << "\nzones:";
   for (const auto& zone : place.zones) out << " " << zone;
   out << (place.zones.empty() ? " none\n" : "\n");
@@ -160,7 +160,7 @@ void print(std::ostream& out, const mapping::Place& place, const core::LabelSpac
   }
 }
 
-void print(std::ostream& out, const mapping::MapDifference& difference, const core::LabelSpace& labels) {
+void print(std::ostream& out, const query::MapDifference& difference, const core::LabelSpace& labels) {
   Table table({"change", "class", "from [m]", "to [m]", "distance [m]"});
   for (const auto& [before, after, distance_m] : difference.moved) {
     table.add({"moved", labels.name(before->classId), positionText(before->centroid_m), positionText(after->centroid_m),
@@ -176,7 +176,7 @@ void print(std::ostream& out, const mapping::MapDifference& difference, const co
   out << difference.unchanged << " unchanged\n";
 }
 
-void printZones(std::ostream& out, const mapping::SemanticMap& map, const mapping::Query& query) {
+void printZones(std::ostream& out, const mapping::SemanticMap& map, const query::MapQuery& query) {
   Table table({"zone", "area [m2]", "objects", "keyframes"});
   for (const auto& zone : map.zones) {
     table.add({zone.name, fixed(area_m2(zone), 1), std::to_string(objectsIn(query, zone.name)),

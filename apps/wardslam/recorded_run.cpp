@@ -131,9 +131,9 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   if (run.view) slam.addObserver(window.emplace(slam.labelSpace()));
   if (truth) slam.addObserver(*truth);
 
-  if (slam.scene() != nullptr) {
+  if (slam.buildsSemanticMap()) {
     mapFile.emplace(openMapFile(run, slam));
-    slam.scene()->writeTo(*mapFile);
+    slam.writeTo(*mapFile);
   }
   std::exception_ptr failure;
   try {
@@ -145,7 +145,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   slam.finish();
   if (mapFile) {
     try {
-      mapFile->finish(slam.scene()->finish(), slam.map());
+      mapFile->finish(*slam.mapBuilder(), slam.mapper());
     } catch (const core::InputError&) {
       if (!failure) failure = std::current_exception();
     }

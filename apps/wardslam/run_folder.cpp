@@ -90,8 +90,8 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["coverage"] = statistics.coverage();
   json["lost_events"] = statistics.lostEvents();
   json["keyframes"] = statistics.keyframes();
-  json["loops_closed"] = summary.slam.map().loopsClosed();
-  json["submaps_joined"] = summary.slam.map().submapsJoined();
+  json["loops_closed"] = summary.slam.mapper().loopsClosed();
+  json["submaps_joined"] = summary.slam.mapper().submapsJoined();
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
   if (summary.truth != nullptr) json["dynamic"] = toJson(*summary.truth);
   if (summary.live != nullptr) json["live"] = toJson(*summary.live, statistics.frames());
@@ -122,10 +122,10 @@ void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult
 
 void RunFolder::finish(const RunSummary& summary) {
   live_.finish();
-  storage::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
+  exchange::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
   for (const auto& pose : summary.slam.trajectory()) corrected.write(pose);
   corrected.finish();
-  if (summary.slam.scene() != nullptr) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());
+  if (summary.slam.buildsSemanticMap()) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
 }

@@ -7,11 +7,11 @@
 #include "dynamic_truth.h"
 #include "live_run.h"
 #include "wardslam/core/event_counts.h"
+#include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/pipeline/zone_watch.h"
-#include "wardslam/storage/tum_trajectory.h"
 
 namespace wardslam::apps {
 
@@ -40,7 +40,7 @@ class RunFolder : public pipeline::FrameObserver {
 
  private:
   std::filesystem::path folder_;
-  storage::TumTrajectoryWriter live_;
+  exchange::TumTrajectoryWriter live_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

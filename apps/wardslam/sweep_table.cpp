@@ -8,7 +8,7 @@
 
 #include "wardslam/core/errors.h"
 #include "wardslam/evaluation/absolute_trajectory_error.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "wardslam/exchange/tum_trajectory.h"
 
 namespace wardslam::apps {
 namespace {
@@ -53,9 +53,9 @@ nlohmann::json readSummary(const std::filesystem::path& file) {
 
 std::string trajectoryError(const std::filesystem::path& groundTruth, const std::filesystem::path& trajectory) {
   if (groundTruth.empty()) return kUnknown;
-  const auto truth = storage::readTumTrajectory(groundTruth);
+  const auto truth = exchange::readTumTrajectory(groundTruth);
   try {
-    const auto error = evaluation::absoluteTrajectoryError(truth, storage::readTumTrajectory(trajectory));
+    const auto error = evaluation::absoluteTrajectoryError(truth, exchange::readTumTrajectory(trajectory));
     return text(error.translation_m.rmse, 5);
   } catch (const core::InputError&) {
     return kUnknown;  // too little was tracked; the coverage says so

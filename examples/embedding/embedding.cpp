@@ -6,12 +6,12 @@
 #include <mrpt/config/CConfigFile.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <wardslam/core/mrpt_compat.h>
-#include <wardslam/mapping/drivable_floor.h>
-#include <wardslam/mapping/query.h>
 #include <wardslam/navigation/obstacles.h>
-#include <wardslam/navigation/route.h>
 #include <wardslam/pipeline/ini_options.h>
 #include <wardslam/pipeline/slam_system.h>
+#include <wardslam/query/drivable_floor.h>
+#include <wardslam/query/map_query.h>
+#include <wardslam/query/route.h>
 #include <wardslam/sources/observation_source.h>
 
 #include <exception>
@@ -48,16 +48,16 @@ bool senseObstacles(const navigation::Obstacles& obstacles, const Eigen::Isometr
 }
 
 void askTheMap(const mapping::SemanticMap& map, const Robot& robot) {
-  const mapping::Query query(map);
+  const query::MapQuery query(map);
   std::cout << "objects: " << query.objects().size() << "\n";
   const auto nearest = query.nearest(robot.place_m(), {});
   if (!nearest) return;
   std::cout << "nearest: " << map.labels.name(nearest->object->classId) << ", " << nearest->distance_m << " m\n";
 
-  const mapping::DrivableFloor floor(map.floorPlan, {0.25, {}, false});
+  const query::DrivableFloor floor(map.floorPlan, {0.25, {}, false});
   const auto spot = floor.spotBeside(*nearest->object, 0.6);
   if (!spot) return;
-  const auto route = navigation::planRoute(floor, robot.place_m(), spot->p_map_m);
+  const auto route = query::planRoute(floor, robot.place_m(), spot->p_map_m);
   std::cout << "a spot beside it: " << spot->p_map_m.transpose() << (route ? "" : ", no way leads there") << "\n";
 }
 

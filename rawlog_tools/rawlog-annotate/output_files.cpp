@@ -70,10 +70,10 @@ OutputFiles::OutputFiles(fs::path output, bool hasSidecar, const fs::path& input
 }
 
 void OutputFiles::open(bool hasSidecar, std::uintmax_t mainSize_bytes, std::uintmax_t sidecarSize_bytes) {
-  using sources::ImageCoding;
-  main_ = std::make_unique<sources::RawlogWriter>(output_, ImageCoding::Lossless, mainSize_bytes);
+  using recording::ImageCoding;
+  main_ = std::make_unique<recording::RawlogWriter>(output_, ImageCoding::Lossless, mainSize_bytes);
   if (!hasSidecar) return;
-  sidecar_ = std::make_unique<sources::RawlogWriter>(sidecar(), ImageCoding::Lossless, sidecarSize_bytes);
+  sidecar_ = std::make_unique<recording::RawlogWriter>(sidecar(), ImageCoding::Lossless, sidecarSize_bytes);
 }
 
 fs::path OutputFiles::sidecar() const { return withStem(output_, "_sem.rawlog"); }

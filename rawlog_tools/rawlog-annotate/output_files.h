@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "wardslam/sources/rawlog_writer.h"
+#include "recording/rawlog_writer.h"
 
 namespace mrpt::serialization {
 class CSerializable;
@@ -47,8 +47,8 @@ class OutputFiles {
   std::optional<std::filesystem::path> inputImages_;  ///< Folder of external images.
   std::string job_;
   std::size_t objectsDone_ = 0;
-  std::unique_ptr<sources::RawlogWriter> main_;
-  std::unique_ptr<sources::RawlogWriter> sidecar_;
+  std::unique_ptr<recording::RawlogWriter> main_;
+  std::unique_ptr<recording::RawlogWriter> sidecar_;
 };
 
 }  // namespace wardslam::rawlog_annotate

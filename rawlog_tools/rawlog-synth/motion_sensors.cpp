@@ -93,8 +93,11 @@ ImuReading Imu::next() {
   const Eigen::Isometry3d before = T_world_imu_(reading.t_s - period_s);
   const Eigen::Isometry3d now = T_world_imu_(reading.t_s);
   const Eigen::Isometry3d after = T_world_imu_(reading.t_s + period_s);
-  const auto halfway = [&](double side) { return T_world_imu_(reading.t_s + side * period_s / 2).linear(); };
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(halfway(-1).transpose() * halfway(1)));
+  const auto halfway = [&](double side) -> Eigen::Matrix3d {
+    return T_world_imu_(reading.t_s + side * period_s / 2).linear();
+  };
+  const Eigen::Matrix3d rotation = halfway(-1).transpose() * halfway(1);
+  const Eigen::AngleAxisd turn(rotation);
   const Eigen::Vector3d acceleration =
       (after.translation() - 2 * now.translation() + before.translation()) / (period_s * period_s);
 

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "recording.h"
+#include "recording/rawlog_writer.h"
 #include "wardslam/core/mrpt_compat.h"
-#include "wardslam/sources/rawlog_writer.h"
 
 namespace wardslam::synth {
 namespace {
@@ -44,7 +44,7 @@ class RawlogRecording : public Recording {
       : camera_(core::toMrpt(camera.model)),
         stereoBaseline_m_(camera.stereoBaseline_m),
         sensorPose_(byAngles(camera.T_base_sensor)),
-        writer_(file, sources::ImageCoding::Jpeg) {}
+        writer_(file, recording::ImageCoding::Jpeg) {}
 
   [[nodiscard]] std::vector<Bytes> encode(const SequenceFrame& frame) const override {
     return {stereoBaseline_m_ ? serialised(stereoPair(frame)) : serialised(scan(frame))};
@@ -61,7 +61,7 @@ class RawlogRecording : public Recording {
   mrpt::img::TCamera camera_;
   std::optional<double> stereoBaseline_m_;
   mrpt::poses::CPose3D sensorPose_;
-  sources::RawlogWriter writer_;
+  recording::RawlogWriter writer_;
 };
 
 obs::CObservation3DRangeScan RawlogRecording::scan(const SequenceFrame& frame) const {

@@ -16,6 +16,7 @@
 #include "triangle_view.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/core/mrpt_opengl_compat.h"
 
 namespace wardslam::synth {
 namespace {
@@ -112,14 +113,20 @@ Mesh shadowUnder(const Surfaces& surfaces, float above_m) {
   return panel({box.min().x() - kSpread_m, box.min().y() - kSpread_m, above_m}, {size.x(), 0, 0}, {0, size.y(), 0});
 }
 
+/// OpenGL gives rows of whole words, MRPT leaves room for none but full ones: the image gets columns to its right, so
+/// that its rows and those of the larger colours are whole.
+core::CameraModel withWholeRows(core::CameraModel camera) {
+  constexpr int kColumns = 8;
+  camera.width_px = (camera.width_px + kColumns - 1) / kColumns * kColumns;
+  return camera;
+}
+
 void prepare(gl::COpenGLScene& scene, float farthest_m, float ambient, float diffuse) {
   auto& viewport = *scene.getViewport();
   viewport.setViewportClipDistances(kNear_m, farthest_m);
   viewport.setCustomBackgroundColor({0.0F, 0.0F, 0.0F});
   auto& light = viewport.lightParameters();
-  light.ambient = {ambient, ambient, ambient, 1.0F};
-  light.diffuse = {diffuse, diffuse, diffuse, 1.0F};
-  light.specular = {0.0F, 0.0F, 0.0F, 1.0F};
+  core::setWhiteLight(light, ambient, diffuse);
   light.direction = mrpt::math::TVector3Df(-0.38F, 0.23F, -0.89F).unitarize();  // from the lamps and the window
 }
 
@@ -171,6 +178,7 @@ struct Renderer::Impl {
   void sortForBlending(const Eigen::Isometry3d& T_world_cam);
   void aim(gl::CFBORender& target, const gl::COpenGLScene& what, const cv::Size& targetSize_px,
            const Eigen::Isometry3d& T_world_cam) const;
+  [[nodiscard]] cv::Mat withoutAddedColumns(const cv::Mat& image) const;
   [[nodiscard]] cv::Mat drawColors(const Eigen::Isometry3d& T_world_cam);
   [[nodiscard]] TriangleList::View drawNumbers(const Eigen::Isometry3d& T_world_cam);
 
@@ -203,7 +211,7 @@ struct Renderer::Impl {
 Renderer::Impl::Impl(const Scene& renderedScene, const core::CameraModel& model)
     : scene(renderedScene),
       lens(model),
-      camera(lens.pinhole()),
+      camera(withWholeRows(lens.pinhole())),
       size_px(camera.width_px, camera.height_px),
       largeSize_px(cvRound(camera.width_px * kSupersampling), cvRound(camera.height_px * kSupersampling)),
       colorTarget(makeTarget(largeSize_px, true)),
@@ -305,6 +313,11 @@ void Renderer::Impl::aim(gl::CFBORender& target, const gl::COpenGLScene& what, c
   target.setCamera(what, view);
 }
 
+cv::Mat Renderer::Impl::withoutAddedColumns(const cv::Mat& image) const {
+  const int width_px = lens.pinhole().width_px;
+  return image.cols == width_px ? image : image.colRange(0, width_px).clone();
+}
+
 /// BGR, through the lens.
 cv::Mat Renderer::Impl::drawColors(const Eigen::Isometry3d& T_world_cam) {
   aim(*colorTarget, colors, largeSize_px, T_world_cam);
@@ -312,14 +325,14 @@ cv::Mat Renderer::Impl::drawColors(const Eigen::Isometry3d& T_world_cam) {
   colorTarget->render_RGB(colors, large);
   cv::Mat small;
   cv::resize(large.asCvMatRef(), small, size_px, 0, 0, cv::INTER_AREA);
-  return lens.colours(small);
+  return lens.colours(withoutAddedColumns(small));
 }
 
 TriangleList::View Renderer::Impl::drawNumbers(const Eigen::Isometry3d& T_world_cam) {
   aim(*numberTarget, numbers, size_px, T_world_cam);
   mrpt::img::CImage codes;
   numberTarget->render_RGB(numbers, codes);
-  return triangles.lookedAt(numbersOf(lens.nearest(codes.asCvMatRef())), lens, T_world_cam);
+  return triangles.lookedAt(numbersOf(lens.nearest(withoutAddedColumns(codes.asCvMatRef()))), lens, T_world_cam);
 }
 
 Renderer::Renderer(const Scene& scene, const core::CameraModel& camera)

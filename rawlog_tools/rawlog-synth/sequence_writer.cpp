@@ -9,8 +9,8 @@
 #include "png.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/storage/map_export.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "wardslam/exchange/map_export.h"
+#include "wardslam/exchange/tum_trajectory.h"
 
 namespace wardslam::synth {
 namespace fs = std::filesystem;
@@ -120,7 +120,7 @@ struct SequenceWriter::Impl {
   std::vector<core::ClassId> classOf;
   std::unique_ptr<Recording> recording;
   fs::path labelled;
-  storage::TumTrajectoryWriter groundTruth;
+  exchange::TumTrajectoryWriter groundTruth;
 };
 
 SequenceWriter::SequenceWriter(const OutputOptions& output, const SequenceCamera& camera, std::vector<Label> labels)
@@ -155,7 +155,7 @@ void SequenceWriter::finish(const std::vector<StaticObject>& objects, const mapp
   core::writeFileAtomically(folder / "objects.csv", objectsText(objects));
   mapping::SemanticMap map;
   map.floorPlan = floor;
-  storage::exportRosMap(map, folder / "floor.yaml");
+  exchange::exportRosMap(map, folder / "floor.yaml");
   writeMore(folder);
   impl_->groundTruth.finish();
   if (impl_->output.isTumFolder) impl_->recording->commit();  // where the ground truth goes into

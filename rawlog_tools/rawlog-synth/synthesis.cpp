@@ -64,11 +64,11 @@ std::size_t threadsFor(std::size_t frames) {
 class MotionRecorder {
  public:
   MotionRecorder(const Setting& setting, const SynthesisOptions& options) {
-    const auto T_world_sensor = [&setting](double t_s) {
+    const auto T_world_sensor = [&setting](double t_s) -> Eigen::Isometry3d {
       return setting.T_world_cam(t_s) * core::T_sensor_cam().inverse();
     };
     const Eigen::Isometry3d T_sensor_base = statedMount(options.camera).inverse();
-    const auto T_world_base = [=](double t_s) { return T_world_sensor(t_s) * T_sensor_base; };
+    const auto T_world_base = [=](double t_s) -> Eigen::Isometry3d { return T_world_sensor(t_s) * T_sensor_base; };
     const std::uint32_t seed = options.place.scene.seed;
     if (options.sensor.odometry) odometry_.emplace(T_world_base, *options.sensor.odometry, seed);
     if (options.sensor.imu) imu_.emplace(T_world_sensor, *options.sensor.imu, seed);

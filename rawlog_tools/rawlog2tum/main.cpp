@@ -43,7 +43,7 @@ int convert(const Arguments& arguments) {
   if (!std::filesystem::is_regular_file(arguments.input)) {
     throw core::InputError(arguments.input.string() + ": no such file");
   }
-  TumFolderWriter folder(arguments.output, sources::readTumNotes(arguments.input));
+  TumFolderWriter folder(arguments.output, recording::readTumNotes(arguments.input));
   sources::SourceOptions options;
   if (!arguments.camera.empty()) options.camera = arguments.camera;
   options.warn = warn;

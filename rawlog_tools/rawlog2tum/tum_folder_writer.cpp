@@ -15,7 +15,7 @@ namespace wardslam::rawlog2tum {
 namespace {
 
 namespace fs = std::filesystem;
-using sources::TumNotes;
+using recording::TumNotes;
 
 std::int64_t ticksOf(double stamp_s) { return core::toMrptTime(stamp_s).time_since_epoch().count(); }
 

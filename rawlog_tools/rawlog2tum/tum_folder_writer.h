@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "recording/tum_notes.h"
 #include "wardslam/core/frame.h"
 #include "wardslam/sources/rgbd_camera.h"
-#include "wardslam/sources/tum_notes.h"
 
 namespace wardslam::rawlog2tum {
 
@@ -18,7 +18,7 @@ class TumFolderWriter {
  public:
   /// `notes`: names and stamps to write again as they were. Throws core::InputError where the folder holds something
   /// already, or cannot be made.
-  TumFolderWriter(std::filesystem::path folder, sources::TumNotes notes);
+  TumFolderWriter(std::filesystem::path folder, recording::TumNotes notes);
   ~TumFolderWriter();
   TumFolderWriter(const TumFolderWriter&) = delete;
   TumFolderWriter& operator=(const TumFolderWriter&) = delete;
@@ -28,14 +28,14 @@ class TumFolderWriter {
   void commit();
 
  private:
-  [[nodiscard]] sources::TumNotes::Pair namesOf(const core::Frame& frame) const;
+  [[nodiscard]] recording::TumNotes::Pair namesOf(const core::Frame& frame) const;
   void writeLists() const;
 
   std::filesystem::path folder_;
   std::filesystem::path partial_;
-  sources::TumNotes notes_;
+  recording::TumNotes notes_;
   std::map<std::int64_t, std::size_t> noteAt_;  ///< By stamp in MRPT's ticks.
-  std::vector<sources::TumNotes::Pair> written_;
+  std::vector<recording::TumNotes::Pair> written_;
   std::optional<sources::RgbdCamera> camera_;
 };
 

@@ -5,14 +5,14 @@
 #include <iostream>
 #include <string>
 
+#include "recording/rawlog_writer.h"
+#include "recording/tum_notes.h"
 #include "support/command_line.h"
 #include "support/interruption.h"
 #include "support/program.h"
 #include "support/progress.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/sources/observation_source.h"
-#include "wardslam/sources/rawlog_writer.h"
-#include "wardslam/sources/tum_notes.h"
 
 namespace wardslam::apps {
 namespace {
@@ -26,7 +26,7 @@ struct Arguments {
 void warn(const std::string& sentence) { std::cerr << "tum2rawlog: " << sentence << "\n"; }
 
 /// Observations copied. Throws when interrupted.
-std::size_t copyAll(sources::ObservationSource& source, sources::RawlogWriter& rawlog) {
+std::size_t copyAll(sources::ObservationSource& source, recording::RawlogWriter& rawlog) {
   const InterruptionGuard interruption;
   Progress progress(std::cerr, standardErrorIsTerminal(), "frame", source.size());
   std::size_t copied = 0;
@@ -43,9 +43,9 @@ int convert(const Arguments& arguments) {
   if (!arguments.camera.empty()) options.camera = arguments.camera;
   options.warn = warn;
   const auto source = sources::openSource(arguments.input, options);
-  sources::RawlogWriter rawlog(arguments.output);
+  recording::RawlogWriter rawlog(arguments.output);
   if (std::filesystem::is_directory(arguments.input)) {
-    sources::writeTumNotes(sources::notesOfTumFolder(arguments.input), rawlog);
+    recording::writeTumNotes(recording::notesOfTumFolder(arguments.input), rawlog);
   }
   const std::size_t copied = copyAll(*source, rawlog);
   if (copied == 0) throw core::InputError(arguments.input.string() + ": no image pair could be read");

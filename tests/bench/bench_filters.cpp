@@ -5,14 +5,13 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "wardslam/core/annotation.h"
+#include "dynamic_test.h"
+#include "semantic_dynamic_filter.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/features/semantic_descriptor.h"
-#include "wardslam/filters/dynamic_test.h"
-#include "wardslam/filters/motion_annotation.h"
-#include "wardslam/filters/semantic_dynamic_filter.h"
+#include "wardslam/filters/annotation.h"
 #include "wardslam/knowledge/knowledge_graph.h"
-#include "wardslam/segmentation/async_segmenter.h"
+#include "wardslam/masks/async_segmenter.h"
 
 namespace wardslam {
 namespace {
@@ -79,20 +78,20 @@ BENCHMARK(describeAll)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicrosecond);
 
 /// What the filter adds to a frame whose masks are there: descriptors, which are read out when they are compared, and
 /// the test.
-void signaturesAndTest(benchmark::State& state) {
+void descriptorsAndTest(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   filters::DynamicTest test({hospital(), core::LabelSpace::coco()}, {n, n * n / 8});
   const cv::Mat classIds = wardScene().classIds;
   core::Features found;
   found.keypoints = randomKeypoints();
   for (auto _ : state) {
-    found.signatures = std::make_shared<features::SemanticSignatures>(classIds, n);
+    found.semanticDescriptors = std::make_shared<features::SemanticDescriptors>(classIds, n);
     test.setImage(classIds);
     test.mark(found.keypoints);
     benchmark::DoNotOptimize(found);
   }
 }
-BENCHMARK(signaturesAndTest)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicrosecond);
+BENCHMARK(descriptorsAndTest)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicrosecond);
 
 void distanceOfAll(benchmark::State& state) {
   const cv::Mat classIds = wardScene().classIds;
@@ -106,12 +105,12 @@ void distanceOfAll(benchmark::State& state) {
 BENCHMARK(distanceOfAll)->Unit(benchmark::kMicrosecond);
 
 void annotateObservation(benchmark::State& state) {
-  const knowledge::MotionRules rules(hospital(), core::LabelSpace::coco());
-  const core::Segmentation scene = wardScene();
-  const cv::Mat moving = scene.classIds == 1;
-  mrpt::obs::CObservation3DRangeScan observation;
+  core::Frame frame;
+  frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
+  frame.observation->rangeImage_setSize(kHeight, kWidth);
+  core::addDynamic(frame, wardScene().classIds == 1);
   for (auto _ : state) {
-    core::annotate(observation, filters::motionLabels(scene, moving, rules));
+    filters::annotateObservation(frame);
   }
 }
 BENCHMARK(annotateObservation)->Unit(benchmark::kMicrosecond);
@@ -126,19 +125,18 @@ class InstantSegmenter : public segmentation::Segmenter {
   core::LabelSpace labels_ = core::LabelSpace::coco();
 };
 
-/// Everything the filter adds to a frame once the masks are there: margin, test, annotation.
+/// Everything the filter adds to a frame once the masks are there: margin, test, labels.
 void wholeFilter(benchmark::State& state) {
   filters::SemanticDynamicFilter filter;
-  filter.initialize({}, {std::make_shared<segmentation::AsyncSegmenter>(std::make_unique<InstantSegmenter>()),
+  filter.initialize({}, {std::make_shared<masks::AsyncSegmenter>(std::make_unique<InstantSegmenter>()),
                          std::make_shared<knowledge::KnowledgeGraph>(hospital())});
   core::Frame frame;
   frame.color_bgr = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(0));
   frame.gray = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(0));
   frame.features.keypoints = randomKeypoints();
-  frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
-  frame.observation->hasRangeImage = true;
-  frame.observation->rangeImage_setSize(kHeight, kWidth);
   for (auto _ : state) {
+    frame.labelBits.release();
+    frame.mayMove.release();
     filter.begin(frame);
     filter.apply(frame);
   }

@@ -5,9 +5,9 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "wardslam/segmentation/image_motion.h"
-#include "wardslam/segmentation/instance_tracker.h"
-#include "wardslam/segmentation/mask_propagator.h"
+#include "mask_propagator.h"
+#include "wardslam/masks/image_motion.h"
+#include "wardslam/masks/instance_tracker.h"
 
 namespace wardslam::segmentation {
 namespace {
@@ -62,18 +62,18 @@ void propagateFrame(benchmark::State& state) {
   cv::setNumThreads(1);
   const int instances = static_cast<int>(state.range(0));
   const std::vector<Scene> scenes = {sceneAt(0, instances), sceneAt(1, instances)};
-  ImageMotion motion;
-  motion.advance(shrink(scenes[0].gray, scenes[0].depth_m, 0.0));
-  const Trail start(motion.picture());
+  masks::ImageMotion motion;
+  motion.advance(masks::shrink(scenes[0].gray, scenes[0].depth_m, 0.0));
+  const masks::Trail start(motion.picture());
   std::size_t i = 0;
   for (auto _ : state) {
     i = 1 - i;
-    motion.advance(shrink(scenes[i].gray, scenes[i].depth_m, 0.033));
-    Trail newest = start;
-    Trail pending = start;
+    motion.advance(masks::shrink(scenes[i].gray, scenes[i].depth_m, 0.033));
+    masks::Trail newest = start;
+    masks::Trail pending = start;
     newest.follow(motion.step());
     pending.follow(motion.step());
-    benchmark::DoNotOptimize(carryMasks(scenes[1 - i].masks, newest, motion.picture()));
+    benchmark::DoNotOptimize(masks::carryMasks(scenes[1 - i].masks, newest, motion.picture()));
     benchmark::DoNotOptimize(pending.places());
   }
 }
@@ -83,7 +83,7 @@ void trackInstances(benchmark::State& state) {
   const Scene before = sceneAt(0, 12);
   const Scene now = sceneAt(1, 12);
   for (auto _ : state) {
-    InstanceTracker tracker({});
+    masks::InstanceTracker tracker({});
     const core::Segmentation carried = tracker.update(before.masks, {}, 0.0);
     benchmark::DoNotOptimize(tracker.update(now.masks, carried, 0.033));
   }

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "wardslam/mapping/query.h"
+#include "wardslam/query/map_query.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -53,19 +53,19 @@ const SemanticMap& hospital() {
   return map;
 }
 
-const Query& query() {
-  static const Query query(hospital());
+const query::MapQuery& query() {
+  static const query::MapQuery query(hospital());
   return query;
 }
 
-ObjectFilter ofClass(core::ClassId classId) {
-  ObjectFilter filter;
+query::ObjectFilter ofClass(core::ClassId classId) {
+  query::ObjectFilter filter;
   filter.classId = classId;
   return filter;
 }
 
 void buildIndex(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(Query(hospital()));
+  for (auto _ : state) benchmark::DoNotOptimize(query::MapQuery(hospital()));
 }
 BENCHMARK(buildIndex)->Unit(benchmark::kMillisecond);
 
@@ -75,14 +75,14 @@ void objectsOfAClass(benchmark::State& state) {
 BENCHMARK(objectsOfAClass)->Unit(benchmark::kMicrosecond);
 
 void objectsInABox(benchmark::State& state) {
-  ObjectFilter filter;
+  query::ObjectFilter filter;
   filter.box_m = Eigen::AlignedBox3d(Eigen::Vector3d(20, 20, 0), Eigen::Vector3d(30, 30, 2));
   for (auto _ : state) benchmark::DoNotOptimize(query().objects(filter));
 }
 BENCHMARK(objectsInABox)->Unit(benchmark::kMicrosecond);
 
 void freeChairsInAZone(benchmark::State& state) {
-  ObjectFilter filter = ofClass(7);
+  query::ObjectFilter filter = ofClass(7);
   filter.zone = "zone 11";
   filter.onlyFree = true;
   for (auto _ : state) benchmark::DoNotOptimize(query().objects(filter));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "wardslam/segmentation/contour_refiner.h"
+#include "wardslam/masks/contour_refiner.h"
 #include "wardslam/segmentation/mask_rcnn_decoder.h"
 #include "wardslam/segmentation/semantic_decoder.h"
 #include "wardslam/segmentation/yolo_decoder.h"
@@ -130,7 +130,7 @@ void refineContours(benchmark::State& state) {
   cv::Mat noise(size, CV_32FC1);
   cv::RNG(4).fill(noise, cv::RNG::NORMAL, 0.0, 0.0019);
   depth_m += noise.mul(depth_m).mul(depth_m);
-  const ContourRefiner refiner({}, ContourRefiner::ClassSet().set(kPerson));
+  const masks::ContourRefiner refiner({}, masks::ContourRefiner::ClassSet().set(kPerson));
   for (auto _ : state) benchmark::DoNotOptimize(refiner.refine(color_bgr, depth_m, found).instances);
 }
 BENCHMARK(refineContours)->Arg(0)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);

@@ -17,14 +17,14 @@
 #include <utility>
 #include <vector>
 
+#include "association.h"
 #include "wardslam/evaluation/absolute_trajectory_error.h"
-#include "wardslam/evaluation/association.h"
 #include "wardslam/evaluation/error_statistics.h"
+#include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/segmentation/recorded_masks.h"
 #include "wardslam/sources/frame_builder.h"
 #include "wardslam/sources/observation_source.h"
-#include "wardslam/storage/tum_trajectory.h"
 
 namespace wardslam {
 namespace {
@@ -118,7 +118,7 @@ mapping::SemanticMap mapOf(const fs::path& recording, const std::string& model, 
 void measure(const fs::path& recording, const std::string& model) {
   core::Trajectory trajectory;
   const auto map = mapOf(recording, model, trajectory);
-  const auto truth = storage::readTumTrajectory(recording / "groundtruth.txt");
+  const auto truth = exchange::readTumTrajectory(recording / "groundtruth.txt");
   Inspection inspection(cloudOf(map, evaluation::absoluteTrajectoryError(truth, trajectory).T_groundtruth_estimate));
 
   segmentation::RecordedMasksOptions maskOptions;

@@ -20,10 +20,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
+#include "boundary_agreement.h"
 #include "wardslam/core/frame.h"
-#include "wardslam/evaluation/boundary_agreement.h"
 #include "wardslam/evaluation/detection_score.h"
-#include "wardslam/segmentation/contour_refiner.h"
+#include "wardslam/masks/contour_refiner.h"
 #include "wardslam/segmentation/recorded_masks.h"
 #include "wardslam/segmentation/yolo_segmenter.h"
 #include "wardslam/sources/frame_builder.h"
@@ -103,7 +103,7 @@ struct Measurement {
   std::vector<double> times_ms;
 
   void add(const Arguments& arguments, core::Frame& frame, const cv::Mat& truth) {
-    const segmentation::ContourRefiner refiner({}, segmentation::ContourRefiner::ClassSet().set(kPerson));
+    const masks::ContourRefiner refiner({}, masks::ContourRefiner::ClassSet().set(kPerson));
     const std::clock_t start = std::clock();
     const core::Segmentation refined = refiner.refine(frame.color_bgr, frame.depth_m, frame.segmentation);
     times_ms.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);

@@ -9,9 +9,9 @@
 #include <map>
 #include <vector>
 
+#include "mask_propagator.h"
 #include "wardslam/core/frame.h"
-#include "wardslam/segmentation/image_motion.h"
-#include "wardslam/segmentation/mask_propagator.h"
+#include "wardslam/masks/image_motion.h"
 #include "wardslam/segmentation/recorded_masks.h"
 #include "wardslam/sources/frame_builder.h"
 #include "wardslam/sources/observation_source.h"
@@ -22,7 +22,7 @@ namespace {
 constexpr core::ClassId kPerson = 1;
 
 struct Moment {
-  segmentation::SmallPicture picture;
+  masks::SmallPicture picture;
   cv::Mat step;
   core::Segmentation truth;
 };
@@ -53,11 +53,11 @@ std::vector<Moment> read(const std::filesystem::path& folder, const sources::Sou
   options.folder = (folder / "masks").string();
   segmentation::RecordedMasks masks(options, {});
   sources::FrameBuilder builder;
-  segmentation::ImageMotion motion;
+  masks::ImageMotion motion;
   std::vector<Moment> moments;
   while (const auto observation = source->next()) {
     const core::Frame frame = builder.build(observation);
-    motion.advance(segmentation::shrink(frame.gray, frame.depth_m, frame.stamp_s));
+    motion.advance(masks::shrink(frame.gray, frame.depth_m, frame.stamp_s));
     moments.push_back(
         {motion.picture(), motion.step().clone(), masks.segment(frame.color_bgr, frame.stamp_s).segmentation});
   }
@@ -70,12 +70,12 @@ void measure(const std::vector<Moment>& moments) {
   std::map<std::size_t, Overlap> left;
   for (std::size_t start = 0; start + ages.back() < moments.size(); start += 3) {
     if (moments[start].truth.empty()) continue;
-    segmentation::Trail trail(moments[start].picture);
+    masks::Trail trail(moments[start].picture);
     for (std::size_t age = 1; age <= ages.back(); ++age) {
       const Moment& now = moments[start + age];
       trail.follow(now.step);
       if (now.truth.empty() || std::find(ages.begin(), ages.end(), age) == ages.end()) continue;
-      carried[age].add(segmentation::carryMasks(moments[start].truth, trail, now.picture), now.truth);
+      carried[age].add(masks::carryMasks(moments[start].truth, trail, now.picture), now.truth);
       left[age].add(moments[start].truth, now.truth);
     }
   }

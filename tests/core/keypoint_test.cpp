@@ -52,25 +52,25 @@ TEST(Keypoint, DepthZeroMeansNone) {
   EXPECT_TRUE(keypoint.hasDepth());
 }
 
-TEST(Signatures, DifferByTheShareOfTheirCells) {
+TEST(SemanticDescriptors, DifferByTheShareOfTheirCells) {
   EXPECT_EQ(differenceOf({1, 2, 3, 4}, {1, 2, 3, 4}), 0.0);
   EXPECT_EQ(differenceOf({1, 2, 3, 4}, {1, 9, 3, 200}), 0.5) << "how far apart the cells are does not count";
   EXPECT_EQ(differenceOf({1}, {2}), 1.0);
 }
 
-TEST(Signatures, ThatCannotBeComparedTellNothing) {
+TEST(SemanticDescriptors, ThatCannotBeComparedTellNothing) {
   EXPECT_EQ(differenceOf({}, {}), std::nullopt);
   EXPECT_EQ(differenceOf({1}, {}), std::nullopt);
   EXPECT_EQ(differenceOf({1}, {1, 2}), std::nullopt);
 }
 
-TEST(Signatures, StayWithTheStaticFeatures) {
-  class Nothing : public SignatureSource {
-    [[nodiscard]] Signature of(const Keypoint&) const override { return {}; }
+TEST(SemanticDescriptors, StayWithTheStaticFeatures) {
+  class Nothing : public SemanticDescriptorSource {
+    [[nodiscard]] SemanticDescriptor of(const Keypoint&) const override { return {}; }
   };
   Features features = makeFeatures({Motion::Static});
-  features.signatures = std::make_shared<Nothing>();
-  EXPECT_EQ(selectStatic(features).signatures, features.signatures);
+  features.semanticDescriptors = std::make_shared<Nothing>();
+  EXPECT_EQ(selectStatic(features).semanticDescriptors, features.semanticDescriptors);
 }
 
 }  // namespace

@@ -1,11 +1,29 @@
 #include "wardslam/core/mrpt_compat.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/system/os.h>
 
 #include <cstdio>
 
 namespace wardslam::core {
 namespace {
+
+// As MRPT's header version.h has them; its digits became two a part in 2.10.2.
+static_assert(WARDSLAM_MRPT_VERSION(2, 5, 8) == 0x258);
+static_assert(WARDSLAM_MRPT_VERSION(2, 5, 11) == 0x25B);
+static_assert(WARDSLAM_MRPT_VERSION(2, 10, 1) == 0x2A1);
+static_assert(WARDSLAM_MRPT_VERSION(2, 10, 2) == 0x020A02);
+static_assert(WARDSLAM_MRPT_VERSION(2, 14, 7) == 0x020E07);
+static_assert(WARDSLAM_MRPT_VERSION(2, 15, 14) == 0x020F0E);
+static_assert(WARDSLAM_MRPT_VERSION(2, 10, 1) < WARDSLAM_MRPT_VERSION(2, 10, 2), "comparing them needs no more");
+
+TEST(MrptCompat, VersionIsThatOfTheLibrary) {
+  int major = 0;
+  int minor = 0;
+  int patch = 0;
+  ASSERT_EQ(std::sscanf(mrpt::system::MRPT_getVersion().c_str(), "MRPT %d.%d.%d", &major, &minor, &patch), 3);
+  EXPECT_EQ(WARDSLAM_MRPT_VERSION(major, minor, patch), MRPT_VERSION);
+}
 
 TEST(MrptCompat, UnixEpochIsMrptsTick116444736e9) {
   EXPECT_EQ(toMrptTime(0.0).time_since_epoch().count(), 116444736000000000LL);

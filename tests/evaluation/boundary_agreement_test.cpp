@@ -1,4 +1,4 @@
-#include "wardslam/evaluation/boundary_agreement.h"
+#include "boundary_agreement.h"
 
 #include <gtest/gtest.h>
 

@@ -175,11 +175,11 @@ TEST(SemanticDescriptor, RefusesWhatIsNoPatch) {
   EXPECT_THROW(static_cast<void>(describeSemantics(cv::Mat(4, 4, CV_16UC1), keypointAt(1, 1), 3)), cv::Exception);
 }
 
-TEST(SemanticSignatures, AreTheDescriptors) {
+TEST(SemanticDescriptors, AreTheDescriptors) {
   const cv::Mat classes = randomClasses(60, 80);
-  const SemanticSignatures signatures(classes, 21);
+  const SemanticDescriptors semanticDescriptors(classes, 21);
   for (const auto& keypoint : {keypointAt(40, 30), keypointAt(2, 57, 1.0F), keypointAt(79, 0, -2.5F)}) {
-    const core::Signature cells = signatures.of(keypoint);
+    const core::SemanticDescriptor cells = semanticDescriptors.of(keypoint);
     ASSERT_EQ(cells.size(), 441U);
     const cv::Mat expected = describeSemantics(classes, keypoint, 21);
     EXPECT_TRUE(std::equal(cells.begin(), cells.end(), expected.ptr<uchar>()));

@@ -1,4 +1,4 @@
-#include "wardslam/filters/dynamic_test.h"
+#include "dynamic_test.h"
 
 #include <gtest/gtest.h>
 

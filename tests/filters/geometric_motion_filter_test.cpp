@@ -1,27 +1,25 @@
-#include "wardslam/filters/geometric_motion_filter.h"
+#include "geometric_motion_filter.h"
 
 #include <gmock/gmock.h>
-#include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include "filters/moving_scene.h"
+#include "change/moving_scene.h"
 #include "support/complaint.h"
-#include "wardslam/core/annotation.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/filters/filter_chain.h"
 
 namespace wardslam::filters {
 namespace {
 
+using change::test::kFrameTime_s;
+using change::test::Scene;
 using core::bitOf;
 using core::Motion;
 using core::PixelLabel;
-using test::kFrameTime_s;
-using test::Scene;
 using testing::HasSubstr;
 
 class GeometricMotionFilterTest : public testing::Test {
  protected:
-  GeometricMotionFilterTest() { scene_.add(test::person()); }
+  GeometricMotionFilterTest() { scene_.add(change::test::person()); }
 
   void configure(const std::string& parameters) { filter_.initialize(core::ConfigNode::fromText(parameters), {}); }
 
@@ -30,10 +28,8 @@ class GeometricMotionFilterTest : public testing::Test {
     core::Frame frame;
     for (int i = 0; i < images; ++i) {
       const double stamp_s = i * kFrameTime_s;
-      frame = scene_.frame(stamp_s, test::looking({0, 0, 0}, turn_rad_s * (stamp_s - images * kFrameTime_s / 2)));
-      frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
-      frame.observation->hasRangeImage = true;
-      frame.observation->rangeImage_setSize(test::kHeight, test::kWidth);
+      frame =
+          scene_.frame(stamp_s, change::test::looking({0, 0, 0}, turn_rad_s * (stamp_s - images * kFrameTime_s / 2)));
       if (prepare_) prepare_(frame);
       filter_.begin(frame);
       filter_.apply(frame);
@@ -89,30 +85,30 @@ TEST_F(GeometricMotionFilterTest, TheFirstImageHasNothingToCompareWith) {
   EXPECT_TRUE(frame.events.empty()) << "which is no trouble";
 }
 
-TEST_F(GeometricMotionFilterTest, AnnotatesThePixels) {
+TEST_F(GeometricMotionFilterTest, LabelsThePixels) {
   configure("{}");
   const core::Frame frame = walk();
-  const cv::Mat bits = core::annotationOf(*frame.observation);
-  const cv::Mat dynamic = (bits & bitOf(PixelLabel::Dynamic)) != 0;
+  const cv::Mat dynamic = core::dynamicPixels(frame);
   const cv::Mat person = frame.depth_m < 2.0;
   EXPECT_GT(cv::countNonZero(dynamic & person), 0.9 * cv::countNonZero(person));
-  EXPECT_EQ(frame.observation->confidenceImage.asCvMatRef().at<std::uint8_t>(240, 600), 255);
+  EXPECT_EQ(frame.labelBits.at<std::uint8_t>(240, 600), 0);
+  EXPECT_EQ(cv::countNonZero(frame.mayMove != dynamic), 0);
 }
 
 TEST_F(GeometricMotionFilterTest, AddsToWhatEarlierFiltersMarked) {
   configure("{}");
+  constexpr std::uint8_t kDynamicPerson = bitOf(PixelLabel::Person) | bitOf(PixelLabel::Dynamic);
   prepare_ = [](core::Frame& frame) {
-    cv::Mat bits(test::kHeight, test::kWidth, CV_8UC1, cv::Scalar(0));
-    bits(cv::Rect(600, 0, 40, 480)).setTo(bitOf(PixelLabel::Person) | bitOf(PixelLabel::Dynamic));
-    core::annotate(*frame.observation, bits);
+    cv::Mat bits(change::test::kHeight, change::test::kWidth, CV_8UC1, cv::Scalar(0));
+    bits(cv::Rect(600, 0, 40, 480)).setTo(kDynamicPerson);
+    core::addLabels(frame, bits);
     for (auto& keypoint : frame.features.keypoints) {
       if (keypoint.raw_px.x >= 600) keypoint.motion = Motion::Dynamic;
     }
   };
   const core::Frame frame = walk();
-  const cv::Mat bits = core::annotationOf(*frame.observation);
-  EXPECT_EQ(bits.at<std::uint8_t>(240, 620), bitOf(PixelLabel::Person) | bitOf(PixelLabel::Dynamic));
-  EXPECT_GT(cv::countNonZero(bits.colRange(0, 600)), 0) << "and the person found";
+  EXPECT_EQ(frame.labelBits.at<std::uint8_t>(240, 620), kDynamicPerson);
+  EXPECT_GT(cv::countNonZero(frame.labelBits.colRange(0, 600)), 0) << "and the person found";
   for (const auto& keypoint : frame.features.keypoints) {
     if (keypoint.raw_px.x >= 600) {
       EXPECT_EQ(keypoint.motion, Motion::Dynamic);
@@ -125,14 +121,13 @@ TEST_F(GeometricMotionFilterTest, LeavesTheOutlineOfWhoHasAMaskToTheMask) {
   cv::Mat person;
   prepare_ = [&person](core::Frame& frame) {
     person = frame.depth_m < 2.0;
-    core::annotate(*frame.observation, person & bitOf(PixelLabel::Dynamic));
+    core::addDynamic(frame, person);
     for (auto& keypoint : frame.features.keypoints) {
       if (keypoint.depth_m < 2.0F) keypoint.motion = Motion::Dynamic;
     }
   };
   const core::Frame frame = walk();
-  const cv::Mat dynamic = (core::annotationOf(*frame.observation) & bitOf(PixelLabel::Dynamic)) != 0;
-  EXPECT_EQ(cv::norm(dynamic, person, cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(core::dynamicPixels(frame), person, cv::NORM_INF), 0.0);
 }
 
 TEST_F(GeometricMotionFilterTest, DoesNotBelieveThatEverythingMoves) {
@@ -140,24 +135,6 @@ TEST_F(GeometricMotionFilterTest, DoesNotBelieveThatEverythingMoves) {
   const core::Frame frame = walk();
   EXPECT_EQ(markedShares(frame).first, 0.0);
   EXPECT_EQ(frame.events.at("filters.motion_everywhere"), 1U);
-}
-
-TEST_F(GeometricMotionFilterTest, WorksWithoutAnObservationOrWithOneOfAnotherSize) {
-  configure("{}");
-  prepare_ = [](core::Frame& frame) { frame.observation = nullptr; };
-  EXPECT_GT(markedShares(walk()).first, 0.9);
-
-  scene_.board(0) = test::person();
-  GeometricMotionFilter().initialize({}, {});
-  prepare_ = [](core::Frame& frame) { frame.observation->rangeImage_setSize(10, 10); };
-  const core::Frame frame = walk();
-  EXPECT_EQ(frame.events.at("filters.annotation_size"), 1U);
-  EXPECT_FALSE(frame.observation->hasPixelLabels());
-}
-
-TEST_F(GeometricMotionFilterTest, AnnotatesOnlyWhenAsked) {
-  configure("{annotate: false}");
-  EXPECT_FALSE(walk().observation->hasPixelLabels());
 }
 
 TEST_F(GeometricMotionFilterTest, AFrameWithoutKeyPointsOrDepthIsNoTrouble) {
@@ -179,6 +156,8 @@ TEST(GeometricMotionFilterOptions, OutOfBoundsAreRefused) {
   EXPECT_THAT(complaint("window: long"), HasSubstr("window"));
   EXPECT_THAT(complaint("reach: .nan"), HasSubstr("reach"));
   EXPECT_THAT(complaint("min_kept: 2"), HasSubstr("min_kept"));
+  EXPECT_THAT(complaint("annotate: false"), testing::AllOf(HasSubstr("my.yaml:1"), HasSubstr("annotate"),
+                                                           HasSubstr("at the top of the configuration")));
   EXPECT_EQ(complaint("{points: 50, window: 2.0}"), "");
 }
 

@@ -1,18 +1,18 @@
-#include "wardslam/filters/movable_judge.h"
+#include "movable_judge.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "filters/depth_scene.h"
+#include "change/depth_scene.h"
 #include "filters/ward_fixture.h"
 
 namespace wardslam::filters {
 namespace {
 
+using change::test::kFrameTime_s;
+using change::test::poseAt;
 using Eigen::Vector3d;
-using test::kFrameTime_s;
-using test::poseAt;
 using ward::kChair;
 using ward::kDog;
 using ward::kPerson;
@@ -64,7 +64,7 @@ class MovableJudgeTest : public testing::Test {
 
   const Vector3d rest_ = Vector3d::Zero();
   const Vector3d walk_{0.4, 0, 0};
-  test::DepthScene scene_;
+  change::test::DepthScene scene_;
   double time_s_ = 0.0;
 };
 

@@ -1,12 +1,10 @@
-#include "wardslam/filters/semantic_dynamic_filter.h"
+#include "semantic_dynamic_filter.h"
 
 #include <gmock/gmock.h>
-#include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include "filters/depth_scene.h"
+#include "change/depth_scene.h"
 #include "filters/ward_fixture.h"
 #include "support/complaint.h"
-#include "wardslam/core/annotation.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::filters {
@@ -47,9 +45,6 @@ core::Frame frameOf(std::vector<core::Keypoint> keypoints) {
   frame.color_bgr = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(100));
   frame.gray = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(100));
   frame.features.keypoints = std::move(keypoints);
-  frame.observation = std::make_shared<mrpt::obs::CObservation3DRangeScan>();
-  frame.observation->hasRangeImage = true;
-  frame.observation->rangeImage_setSize(kHeight, kWidth);
   return frame;
 }
 
@@ -71,13 +66,11 @@ class SemanticDynamicFilterTest : public testing::Test {
 };
 
 int labelsAt(const core::Frame& frame, int x, int y) {
-  using Labels = mrpt::obs::TPixelLabelInfo<1>;
-  const auto labels = std::dynamic_pointer_cast<Labels>(frame.observation->pixelLabels);
-  return labels ? labels->pixelLabels(y, x) : -1;
+  return frame.labelBits.empty() ? -1 : frame.labelBits.at<std::uint8_t>(y, x);
 }
 
-int confidenceAt(const core::Frame& frame, int x, int y) {
-  return frame.observation->confidenceImage.asCvMatRef().at<std::uint8_t>(y, x);
+bool isDynamicAt(const core::Frame& frame, int x, int y) {
+  return core::dynamicPixels(frame).at<std::uint8_t>(y, x) != 0;
 }
 
 TEST_F(SemanticDynamicFilterTest, MarksPeopleAndWhatTheyHold) {
@@ -137,7 +130,7 @@ TEST_F(SemanticDynamicFilterTest, AMarginLeavesEachMoverItsOwnPixels) {
   EXPECT_EQ(run({keypointAt(42, 22)}).features.keypoints[0].motion, Motion::Dynamic);
 }
 
-TEST_F(SemanticDynamicFilterTest, AnnotatesPixelsByMeaning) {
+TEST_F(SemanticDynamicFilterTest, LabelsPixelsByMeaning) {
   configure(kSmallSquare);
   const core::Frame frame = run({});
   const int person = bitOf(PixelLabel::Person);
@@ -152,16 +145,22 @@ TEST_F(SemanticDynamicFilterTest, AnnotatesPixelsByMeaning) {
   EXPECT_EQ(labelsAt(frame, 5, 5), 0);
 }
 
-TEST_F(SemanticDynamicFilterTest, AnnotatesTheConfidenceImage) {
+TEST_F(SemanticDynamicFilterTest, LabelsNothingElseAsDynamic) {
   configure(kSmallSquare);
   const core::Frame frame = run({});
-  ASSERT_TRUE(frame.observation->hasConfidenceImage);
-  EXPECT_EQ(confidenceAt(frame, 30, 20), 0);
-  EXPECT_EQ(confidenceAt(frame, 41, 22), 0);
-  EXPECT_EQ(confidenceAt(frame, 60, 20), 255);
-  const cv::Mat image = frame.observation->confidenceImage.asCvMatRef();
-  EXPECT_EQ(image.size(), cv::Size(kWidth, kHeight));
-  EXPECT_EQ(cv::countNonZero(image == 0), 20 * 30 + 2 * 5) << "the person and half of the cup";
+  ASSERT_EQ(frame.labelBits.size(), cv::Size(kWidth, kHeight));
+  EXPECT_EQ(cv::countNonZero(core::dynamicPixels(frame)), 20 * 30 + 2 * 5) << "the person and half of the cup";
+}
+
+TEST_F(SemanticDynamicFilterTest, AddsToWhatEarlierFiltersLabelled) {
+  configure(kSmallSquare);
+  core::Frame frame = frameOf({});
+  cv::Mat mask(kHeight, kWidth, CV_8UC1, cv::Scalar(0));
+  mask.at<std::uint8_t>(50, 30) = 255;
+  core::addDynamic(frame, mask);
+  filter_.apply(frame);
+  EXPECT_EQ(labelsAt(frame, 30, 50), bitOf(PixelLabel::Thing) | bitOf(PixelLabel::Dynamic)) << "bed";
+  EXPECT_EQ(labelsAt(frame, 31, 50), bitOf(PixelLabel::Thing));
 }
 
 TEST_F(SemanticDynamicFilterTest, ByThePapersRulePixelsAreDynamicAsKeyPointsAre) {
@@ -173,10 +172,10 @@ TEST_F(SemanticDynamicFilterTest, ByThePapersRulePixelsAreDynamicAsKeyPointsAre)
   const core::Frame frame = run(everywhere);
   for (const auto& keypoint : frame.features.keypoints) {
     const auto [x, y] = std::pair(static_cast<int>(keypoint.raw_px.x), static_cast<int>(keypoint.raw_px.y));
-    EXPECT_EQ(confidenceAt(frame, x, y) == 0, keypoint.motion == Motion::Dynamic) << x << ", " << y;
+    EXPECT_EQ(isDynamicAt(frame, x, y), keypoint.motion == Motion::Dynamic) << x << ", " << y;
   }
-  EXPECT_EQ(confidenceAt(frame, 40, 22), 0) << "ten pixels of the person in the square";
-  EXPECT_EQ(confidenceAt(frame, 41, 22), 255) << "five of them";
+  EXPECT_TRUE(isDynamicAt(frame, 40, 22)) << "ten pixels of the person in the square";
+  EXPECT_FALSE(isDynamicAt(frame, 41, 22)) << "five of them";
 }
 
 TEST_F(SemanticDynamicFilterTest, ThingsTooSmallForAnInstanceAreLeftToThePapersRule) {
@@ -212,9 +211,9 @@ class ObservedRule : public SemanticDynamicFilterTest {
                                   keypointAt(static_cast<float>(result_->segmentation.instances[0].box_px.x), middle)};
       filter_.apply(frame);
       filter_.end(frame, Eigen::Isometry3d::Identity());
-      time_s_ += test::kFrameTime_s;
-      scene_.thing(0).p_map_m.x() += speed * test::kFrameTime_s;
-      scene_.thing(1).p_map_m.x() += speed * test::kFrameTime_s;
+      time_s_ += change::test::kFrameTime_s;
+      scene_.thing(0).p_map_m.x() += speed * change::test::kFrameTime_s;
+      scene_.thing(1).p_map_m.x() += speed * change::test::kFrameTime_s;
     }
     return frame;
   }
@@ -225,7 +224,7 @@ class ObservedRule : public SemanticDynamicFilterTest {
     return result;
   }
 
-  test::DepthScene scene_;
+  change::test::DepthScene scene_;
   double time_s_ = 1.0;
 };
 
@@ -267,22 +266,11 @@ TEST_F(ObservedRule, WhatMovesIsWidened) {
   EXPECT_THAT(motions(frame), testing::ElementsAre(Motion::Dynamic, Motion::Static));
 }
 
-TEST_F(SemanticDynamicFilterTest, DoesNotAnnotateUnlessItCan) {
-  configure("{annotate: false}");
-  EXPECT_EQ(labelsAt(run({}), 30, 20), -1);
-
-  configure("{annotate: true}");
-  core::Frame otherSize = frameOf({keypointAt(30, 20)});
-  otherSize.observation->rangeImage_setSize(kHeight / 2, kWidth / 2);
-  filter_.apply(otherSize);
-  EXPECT_EQ(labelsAt(otherSize, 30, 20), -1);
-  EXPECT_EQ(otherSize.events["filters.annotation_size"], 1U);
-  EXPECT_EQ(otherSize.features.keypoints[0].motion, Motion::Dynamic);
-
-  core::Frame withoutObservation = frameOf({keypointAt(30, 20)});
-  withoutObservation.observation = nullptr;
-  filter_.apply(withoutObservation);
-  EXPECT_EQ(withoutObservation.features.keypoints[0].motion, Motion::Dynamic);
+TEST_F(SemanticDynamicFilterTest, SaysWhereAnnotateWent) {
+  const auto text = core::ConfigNode::fromText("{n: 5, annotate: false}", "my.yaml");
+  EXPECT_THAT(wardslam::test::complaintOf([&] { filter_.initialize(text, context(result_)); }),
+              testing::AllOf(testing::HasSubstr("my.yaml:1"), testing::HasSubstr("'annotate'"),
+                             testing::HasSubstr("at the top of the configuration")));
 }
 
 TEST_F(SemanticDynamicFilterTest, WithoutMasksAllStaysStaticAndIsCounted) {

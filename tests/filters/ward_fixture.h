@@ -4,33 +4,15 @@
 #include <string>
 #include <utility>
 
+#include "support/small_ward.h"
 #include "wardslam/core/label_space.h"
 #include "wardslam/filters/observation_filter.h"
-#include "wardslam/knowledge/knowledge_graph.h"
-#include "wardslam/segmentation/async_segmenter.h"
+#include "wardslam/masks/async_segmenter.h"
 
-/// A small ward for tests: a person can move a cup and a chair, a dog only the ball, nobody the bed.
+/// The small ward (support/small_ward.h) with a segmenter for filters.
 namespace wardslam::filters::ward {
 
-inline constexpr core::ClassId kPerson = 1;
-inline constexpr core::ClassId kDog = 17;
-inline constexpr core::ClassId kBall = 33;
-inline constexpr core::ClassId kCup = 42;
-inline constexpr core::ClassId kChair = 57;
-inline constexpr core::ClassId kBed = 60;
-
-inline knowledge::KnowledgeGraph graph() {
-  return knowledge::KnowledgeGraph::fromConfig(core::ConfigNode::fromText(R"(
-entities:
-  {nurse: [person], pet: [dog], cup: [cup], chair: [chair], ball: [sports ball], vase: [vase], bed: [bed]}
-sets: {moving: [nurse, pet], movable: [cup, chair, ball, vase], static: [bed]}
-relations: [can_be_moved_by]
-facts:
-  - [cup, can_be_moved_by, nurse]
-  - [chair, can_be_moved_by, nurse]
-  - [ball, can_be_moved_by, moving]
-)"));
-}
+using namespace wardslam::ward;
 
 /// Puts out what it was told to, and counts the questions.
 class FakeSegmenter : public segmentation::Segmenter {
@@ -51,8 +33,7 @@ class FakeSegmenter : public segmentation::Segmenter {
 
 inline FilterContext context(std::shared_ptr<segmentation::Segmenter::Result> result) {
   FilterContext context;
-  context.segmenter =
-      std::make_shared<segmentation::AsyncSegmenter>(std::make_unique<FakeSegmenter>(std::move(result)));
+  context.segmenter = std::make_shared<masks::AsyncSegmenter>(std::make_unique<FakeSegmenter>(std::move(result)));
   context.knowledge = std::make_shared<knowledge::KnowledgeGraph>(graph());
   return context;
 }

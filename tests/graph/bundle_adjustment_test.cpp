@@ -1,4 +1,4 @@
-#include "wardslam/graph/bundle_adjustment.h"
+#include "bundle_adjustment.h"
 
 #include <gmock/gmock.h>
 

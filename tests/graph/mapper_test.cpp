@@ -2,9 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <opencv2/core.hpp>
 #include <set>
+#include <thread>
 
 #include "graph/synthetic_walk.h"
+#include "wardslam/core/mailbox.h"
+#include "wardslam/core/stage.h"
 
 namespace wardslam::graph {
 namespace {
@@ -191,6 +196,121 @@ TEST_F(MapperTest, KeepsAllKeyframesWhenTold) {
   Mapper mapper(options, {});
   for (int i = 0; i < kRound + 12; ++i) walk_.recall(mapper.insert(walk_.step()));
   EXPECT_EQ(mapper.graph().keyframes().size(), static_cast<std::size_t>(kRound + 12));
+}
+
+/// A mapper as a run has it: in a stage, its findings brought back.
+class StagedMapper {
+ public:
+  explicit StagedMapper(core::StageThread thread, const GraphOptions& options = {})
+      : stage_(std::make_unique<Mapper>(options, odometry::OdometryOptions{}), thread) {}
+
+  void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
+    stage_.post([this, keyframe](Mapper& mapper) { updates_.put(mapper.insert(keyframe, &stage_.isWaitedFor())); });
+  }
+  std::vector<odometry::MapUpdate> takeUpdates() {
+    stage_.rethrowFailure();
+    return updates_.takeAll();
+  }
+  std::vector<odometry::MapUpdate> waitForUpdates() {
+    while (true) {
+      auto updates = takeUpdates();
+      if (!updates.empty()) return updates;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  std::unique_ptr<Mapper> finish() { return stage_.finish(); }
+
+ private:
+  core::Mailbox<odometry::MapUpdate> updates_;
+  core::Stage<Mapper> stage_;
+};
+
+TEST(MapperInStage, FedSlowlyItMakesTheMapOfThePlainOne) {
+  const auto keyframes = SyntheticWalk({0.5, 0.5, 0}, 800).walk(8);
+  Mapper plain({}, {});
+  StagedMapper behind(core::StageThread::Own);
+  for (const auto& keyframe : keyframes) {
+    const auto expected = plain.insert(keyframe);
+    behind.insert(keyframe);
+    const auto updates = behind.waitForUpdates();
+    ASSERT_EQ(updates.size(), 1U);
+    EXPECT_EQ(updates[0].removedPoints, expected.removedPoints);
+    EXPECT_EQ(updates[0].p_map_m, expected.p_map_m);
+  }
+  const auto finished = behind.finish();
+  ASSERT_EQ(finished->graph().keyframes().size(), keyframes.size());
+  for (const auto& [id, node] : plain.graph().keyframes()) {
+    const auto& other = finished->graph().keyframes().at(id);
+    EXPECT_EQ(node.T_map_cam.matrix(), other.T_map_cam.matrix());
+    EXPECT_EQ(node.keypointOf, other.keypointOf);
+  }
+}
+
+TEST(MapperInStage, FinishWorksEverythingIn) {
+  const auto keyframes = SyntheticWalk({}, 800).walk(10);
+  StagedMapper behind(core::StageThread::Own);
+  for (const auto& keyframe : keyframes) behind.insert(keyframe);
+  const auto mapper = behind.finish();
+  EXPECT_EQ(mapper->graph().keyframes().size(), 10U);
+  EXPECT_EQ(behind.takeUpdates().size(), 10U);
+}
+
+TEST(MapperInStage, CanBeGivenUpWithWorkPending) {
+  const auto keyframes = SyntheticWalk({}, 800).walk(10);
+  {
+    StagedMapper behind(core::StageThread::Own);
+    for (const auto& keyframe : keyframes) behind.insert(keyframe);
+  }
+  for (const auto& keyframe : keyframes) EXPECT_EQ(keyframe.use_count(), 1) << "nobody holds it any more";
+}
+
+TEST(MapperInStage, ThrowsWhatTheMapperThrew) {
+  GraphOptions options;
+  options.place_recognition.min_keyframe_gap = 1;
+  SyntheticWalk walk({}, 400);
+  std::vector<std::shared_ptr<odometry::Keyframe>> keyframes;
+  for (int i = 0; i < 8; ++i) keyframes.push_back(walk.step());
+  keyframes[1]->features.descriptors =
+      cv::Mat(static_cast<int>(keyframes[1]->features.size()), 64, CV_8UC1, cv::Scalar(0));  // not ORB's
+  StagedMapper behind(core::StageThread::Own, options);
+  const auto insertAllAndFinish = [&] {
+    for (const auto& keyframe : keyframes) behind.insert(keyframe);
+    (void)behind.finish();
+  };
+  EXPECT_THROW(insertAllAndFinish(), cv::Exception);
+  EXPECT_THROW((void)behind.takeUpdates(), cv::Exception);
+}
+
+TEST(MapperInStage, InTheCallingThreadUpdatesAreThereAtOnce) {
+  StagedMapper atOnce(core::StageThread::Caller);
+  SyntheticWalk walk({}, 800);
+  for (int i = 0; i < 4; ++i) {
+    const auto keyframe = walk.step();
+    atOnce.insert(keyframe);
+    const auto updates = atOnce.takeUpdates();
+    ASSERT_EQ(updates.size(), 1U);
+    EXPECT_EQ(updates[0].T_map_cam.count(keyframe->id), i == 0 ? 0U : 1U) << "all but the first move";
+    EXPECT_TRUE(atOnce.takeUpdates().empty()) << "each is handed out once";
+  }
+  EXPECT_EQ(atOnce.finish()->graph().keyframes().size(), 4U);
+}
+
+TEST(MapperInStage, BothWaysHoldAllKeyframesInTheEnd) {
+  const auto keyframes = SyntheticWalk({0.5, 0.5, 0}, 800).walk(6);
+  StagedMapper atOnce(core::StageThread::Caller);
+  StagedMapper behind(core::StageThread::Own);
+  for (const auto& keyframe : keyframes) {
+    atOnce.insert(keyframe);
+    behind.insert(keyframe);
+  }
+  const auto expected = atOnce.finish();
+  expected->adjustAll();
+  const auto mapper = behind.finish();
+  mapper->adjustAll();
+  ASSERT_EQ(mapper->graph().keyframes().size(), expected->graph().keyframes().size());
+  for (const auto& [id, node] : mapper->graph().keyframes()) {
+    EXPECT_EQ(node.T_map_cam.matrix(), expected->graph().keyframes().at(id).T_map_cam.matrix());
+  }
 }
 
 }  // namespace

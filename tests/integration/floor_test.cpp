@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,11 +11,11 @@
 #include <vector>
 
 #include "cli_test_support.h"
+#include "recording/rawlog_writer.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/sources/observation_source.h"
-#include "wardslam/sources/rawlog_writer.h"
-#include "wardslam/storage/tum_trajectory.h"
 
 /// Long ways, loops and kidnapping, on a small rendering of a floor that is made once.
 namespace wardslam {
@@ -48,7 +49,7 @@ class Floor : public ::testing::Test {
   static void TearDownTestSuite() { folder_.reset(); }
 
   static fs::path recording() { return folder_->path() / "floor.rawlog"; }
-  static core::Trajectory fullTruth() { return storage::readTumTrajectory(folder_->path() / "floor.groundtruth.txt"); }
+  static core::Trajectory fullTruth() { return exchange::readTumTrajectory(folder_->path() / "floor.groundtruth.txt"); }
 
   static Outcome run(const fs::path& rawlog) {
     const fs::path out = folder_->path() / (rawlog.stem().string() + "_out");
@@ -57,7 +58,7 @@ class Floor : public ::testing::Test {
                                       "--filter", "off", "--deterministic", "--out", out.string()});
     EXPECT_EQ(result.exitCode, 0) << result.err;
     return {nlohmann::json::parse(test::readText(out / "summary.json")),
-            storage::readTumTrajectory(out / "trajectory.txt")};
+            exchange::readTumTrajectory(out / "trajectory.txt")};
   }
 
   /// A recording of the frames [begin, end) of the floor, piece after piece, as if the camera had been carried from
@@ -67,7 +68,7 @@ class Floor : public ::testing::Test {
     std::vector<std::shared_ptr<mrpt::obs::CObservation3DRangeScan>> frames;
     const auto source = sources::openSource(recording(), {});
     while (auto frame = source->next()) frames.push_back(frame);
-    sources::RawlogWriter writer(rawlog, sources::ImageCoding::Jpeg);
+    recording::RawlogWriter writer(rawlog, recording::ImageCoding::Jpeg);
     Truth cutTruth;
     double stamp_s = kFirst_s;
     for (const auto& [begin, end] : pieces) {
@@ -88,6 +89,15 @@ class Floor : public ::testing::Test {
     const Eigen::Isometry3d T_first_cam = first.T_map_cam.inverse() * pose.T_map_cam;
     const Eigen::Isometry3d T_first_cam_true = truth.at(key(first.stamp_s)).inverse() * truth.at(key(pose.stamp_s));
     return (T_first_cam.translation() - T_first_cam_true.translation()).norm();
+  }
+
+  /// How far the camera went from then on.
+  static double way_m(const Truth& truth, double from_s) {
+    double way_m = 0.0;
+    for (auto at = truth.lower_bound(key(from_s)); std::next(at) != truth.end(); ++at) {
+      way_m += (std::next(at)->second.translation() - at->second.translation()).norm();
+    }
+    return way_m;
   }
 
   static std::unique_ptr<test::TemporaryFolder> folder_;
@@ -132,10 +142,14 @@ TEST_F(Floor, MapsAnUnknownPlaceAndJoinsItToTheKnownOne) {
   const Outcome carried = run(rawlog);
   EXPECT_EQ(carried.summary.at("submaps_joined"), 1);
   ASSERT_GE(carried.trajectory.size(), truth.size() - 20U) << "all but the frames until a new map was begun";
+  const auto& first = carried.trajectory.front();
+  EXPECT_LT(error_m(truth, first, carried.trajectory.back()), 0.1) << "where both maps meet they agree";
   double worst_m = 0.0;
-  for (const auto& pose : carried.trajectory)
-    worst_m = std::max(worst_m, error_m(truth, carried.trajectory.front(), pose));
-  EXPECT_LT(worst_m, 0.25);
+  for (const auto& pose : carried.trajectory) worst_m = std::max(worst_m, error_m(truth, first, pose));
+  // Both maps meet at the end of the way only. What was mapped alone is off by how well one view along a corridor fixes
+  // the joint and by drift, together some 1 % of the way (0.9 to 1.3 % for cuts at other frames); a false joint would
+  // put a room metres away.
+  EXPECT_LT(worst_m, 0.015 * way_m(truth, kFirst_s + 30 / kRate_hz + kGap_s)) << "a false joint would bend the way";
 }
 
 }  // namespace

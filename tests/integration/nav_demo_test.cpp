@@ -48,6 +48,7 @@ TEST_F(NavDemo, DeliversInTheTrueWorldByTheMapAlone) {
   EXPECT_EQ(result.exitCode == 0, json["good_runs"] == 2);
   EXPECT_THAT(json["truth"].get<std::string>(), HasSubstr("ward.rawlog"));
   EXPECT_FALSE(cv::imread(path("run.jpg")).empty());
+  EXPECT_FALSE(std::filesystem::exists("ReacNavGrid_000.dat.gz")) << "tables of the navigator, left where it was run";
 }
 
 TEST_F(NavDemo, TheSameSeedGivesTheSameAnswer) {

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "cli_test_support.h"
+#include "recording/rawlog_writer.h"
 #include "sources/scan_maker.h"
 #include "sources/tum_folder_writer.h"
-#include "wardslam/sources/rawlog_writer.h"
 
 namespace wardslam {
 namespace {
@@ -91,7 +91,7 @@ TEST_F(Rawlog2Tum, ASecondTripChangesNotOneByte) {
 }
 
 TEST_F(Rawlog2Tum, NamesImagesByTheirStampsWhereNothingElseIsKnown) {
-  sources::RawlogWriter writer(rawlog);
+  recording::RawlogWriter writer(rawlog);
   writer.write(*test::makeScan(0, 32, 24));  // in millimetres
   writer.write(*test::makeScan(1, 32, 24));
   writer.commit();
@@ -104,7 +104,7 @@ TEST_F(Rawlog2Tum, NamesImagesByTheirStampsWhereNothingElseIsKnown) {
 }
 
 TEST_F(Rawlog2Tum, KeepsWhatIsThere) {
-  sources::RawlogWriter writer(rawlog);
+  recording::RawlogWriter writer(rawlog);
   writer.write(*test::makeScan());
   writer.commit();
   folder.write("back/mine.txt", "mine");

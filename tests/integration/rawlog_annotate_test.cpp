@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "cli_test_support.h"
+#include "recording/rawlog_writer.h"
 #include "room_recording.h"
 #include "wardslam/core/annotation.h"
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
 #include "wardslam/mrpt_plugin/register_all.h"
 #include "wardslam/sources/external_images.h"
+#include "wardslam/sources/observation_source.h"
 #include "wardslam/sources/rawlog_reader.h"
-#include "wardslam/sources/rawlog_writer.h"
-#include "wardslam/sources/tum_folder_source.h"
 
 namespace wardslam {
 namespace {
@@ -45,10 +45,10 @@ class RawlogAnnotate : public ::testing::Test {
 
   /// The room as scans, each prepared by `prepare`, with an odometry reading before each.
   void record(int rounds = 1, const std::function<void(CObservation3DRangeScan&, int)>& prepare = {}) const {
-    sources::RawlogWriter writer(input);
+    recording::RawlogWriter writer(input);
     for (int round = 0; round < rounds; ++round) {
-      sources::TumFolderSource source(room().path(), {});
-      for (int i = 0; const auto scan = source.next(); ++i) {
+      const auto source = sources::openSource(room().path(), {});
+      for (int i = 0; const auto scan = source->next(); ++i) {
         writer.write(mrpt::obs::CObservationOdometry());
         if (prepare) prepare(*scan, i);
         writer.write(*scan);
@@ -145,11 +145,11 @@ TEST_F(RawlogAnnotate, EmbedsAfterEachScanAndReplacesWhatWasEmbedded) {
 }
 
 TEST_F(RawlogAnnotate, ReachesIntoSensoryFrames) {
-  sources::RawlogWriter writer(input);
-  sources::TumFolderSource source(room().path(), {});
+  recording::RawlogWriter writer(input);
+  const auto source = sources::openSource(room().path(), {});
   mrpt::obs::CSensoryFrame frame;
   frame.insert(std::make_shared<mrpt::obs::CObservationOdometry>());
-  frame.insert(source.next());
+  frame.insert(source->next());
   writer.write(frame);
   writer.commit();
   ASSERT_EQ(annotate({"--embed"}).exitCode, 0);

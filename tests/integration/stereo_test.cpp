@@ -5,7 +5,7 @@
 
 #include "cli_test_support.h"
 #include "support/temporary_folder.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "wardslam/exchange/tum_trajectory.h"
 
 /// From the pairs of a stereo camera to a trajectory.
 namespace wardslam {
@@ -34,7 +34,7 @@ TEST(Stereo, AWardIsTrackedAmongWalkingPeople) {
   EXPECT_EQ(figures.at("coverage"), 1.0);
 
   // A baseline or focal length wrong by a tenth would leave 4 cm on this way.
-  ASSERT_GT(lengthOf_m(storage::readTumTrajectory(at("ward.groundtruth.txt"))), 1.5);
+  ASSERT_GT(lengthOf_m(exchange::readTumTrajectory(at("ward.groundtruth.txt"))), 1.5);
   EXPECT_LE(figures.at("ate").at("rmse"), 0.02);
 }
 

@@ -5,7 +5,6 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include "hand_made_observation.h"
-#include "wardslam/core/annotation.h"
 #include "wardslam/core/mrpt_compat.h"
 
 namespace wardslam::mrpt_plugin {
@@ -26,7 +25,7 @@ core::Frame handMadeFrame() {
   frame.observation = mrpt::obs::CObservation3DRangeScan::Create();
   frame.observation->sensorLabel = "RGBD";
   frame.observation->timestamp = core::toMrptTime(frame.stamp_s);
-  core::annotate(*frame.observation, o.labelBits);
+  frame.labelBits = o.labelBits;
   return frame;
 }
 
@@ -43,9 +42,9 @@ TEST(FrameConversion, TellsWhatTheFiltersFoundOut) {
   EXPECT_EQ(o->descriptorSide, 5);
 }
 
-TEST(FrameConversion, WithoutAnnotationNothingIsKnownToBeMovable) {
+TEST(FrameConversion, WithoutLabelsNothingIsKnownToBeMovable) {
   core::Frame frame = handMadeFrame();
-  frame.observation = nullptr;
+  frame.labelBits.release();
   const auto o = toObservation(frame, core::LabelSpace::coco());
   EXPECT_TRUE(o->labelBits.empty());
   EXPECT_THAT(o->states,
@@ -63,8 +62,8 @@ TEST(FrameConversion, ComesBackAsAFrame) {
   EXPECT_EQ(back.features.keypoints[2].motion, core::Motion::Dynamic);
   EXPECT_EQ(cv::countNonZero(back.segmentation.instanceIds != frame.segmentation.instanceIds), 0);
   EXPECT_EQ(cv::countNonZero(back.mayMove), 20 * 48);
-  ASSERT_TRUE(back.features.signatures);
-  EXPECT_EQ(back.features.signatures->of(back.features.keypoints[2]), core::Signature(25, 1));
+  ASSERT_TRUE(back.features.semanticDescriptors);
+  EXPECT_EQ(back.features.semanticDescriptors->of(back.features.keypoints[2]), core::SemanticDescriptor(25, 1));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "support/complaint.h"
 #include "support/hand_made_map.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/mapping/object_name.h"
+#include "wardslam/query/object_name.h"
 
 namespace wardslam::nav_demo {
 namespace {

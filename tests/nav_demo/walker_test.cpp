@@ -17,11 +17,11 @@ class WalkerTest : public testing::Test {
     plan.resolution_m = 0.05;
     plan.origin_m = {-3.0, -0.5};
     plan.cells = cv::Mat(20, 120, CV_8UC1, cv::Scalar(mapping::FloorPlan::kFree));
-    floor_.emplace(plan, mapping::DrivingRules{0.25, {}, false});
+    floor_.emplace(plan, query::DrivingRules{0.25, {}, false});
     ground_.floor = &*floor_;
   }
 
-  std::optional<mapping::DrivableFloor> floor_;
+  std::optional<query::DrivableFloor> floor_;
   WalkingGround ground_;
   WalkerHabits habits_;
 };

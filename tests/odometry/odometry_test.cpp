@@ -226,35 +226,35 @@ TEST(State, HasAName) {
 }
 
 /// Every key point is surrounded by the same cells.
-class Surroundings : public core::SignatureSource {
+class Surroundings : public core::SemanticDescriptorSource {
  public:
-  explicit Surroundings(core::Signature cells) : cells_(std::move(cells)) {}
-  [[nodiscard]] core::Signature of(const core::Keypoint&) const override { return cells_; }
+  explicit Surroundings(core::SemanticDescriptor cells) : cells_(std::move(cells)) {}
+  [[nodiscard]] core::SemanticDescriptor of(const core::Keypoint&) const override { return cells_; }
 
  private:
-  core::Signature cells_;
+  core::SemanticDescriptor cells_;
 };
 
-class OdometrySignatures : public OdometryTest {
+class OdometrySemanticDescriptors : public OdometryTest {
  protected:
   /// Follows two images, whose key points have these surroundings, with so much difference allowed.
-  OdometryResult trackTwo(double allowed, const core::Signature& before, const core::Signature& now) {
+  OdometryResult trackTwo(double allowed, const core::SemanticDescriptor& before, const core::SemanticDescriptor& now) {
     OdometryOptions asked = options();
-    asked.matcher.max_signature_difference = allowed;
+    asked.matcher.max_semantic_difference = allowed;
     odometry_ = Odometry(asked);
     OdometryResult result;
     for (const auto& [image, cells] : {std::pair(0, before), {1, now}}) {
       auto features = world_.look(SyntheticWorld::T_world_cam(image, kImages), kNoise);
-      if (!cells.empty()) features.signatures = std::make_shared<Surroundings>(cells);
+      if (!cells.empty()) features.semanticDescriptors = std::make_shared<Surroundings>(cells);
       result = track(features);
-      EXPECT_TRUE(!result.keyframe || !result.keyframe->features.signatures) << "images would be kept alive";
+      EXPECT_TRUE(!result.keyframe || !result.keyframe->features.semanticDescriptors) << "images would be kept alive";
     }
     return result;
   }
 };
 
-TEST_F(OdometrySignatures, MatchesOfOtherSurroundingsAreOutliers) {
-  const core::Signature cells = {1, 1, 60, 0};
+TEST_F(OdometrySemanticDescriptors, MatchesOfOtherSurroundingsAreOutliers) {
+  const core::SemanticDescriptor cells = {1, 1, 60, 0};
   EXPECT_GT(trackTwo(0.25, cells, cells).matches, 200);
   EXPECT_GT(trackTwo(0.25, cells, {1, 1, 60, 57}).matches, 200) << "one in four may differ";
   const auto foreign = trackTwo(0.25, cells, {1, 1, 57, 57});
@@ -262,12 +262,12 @@ TEST_F(OdometrySignatures, MatchesOfOtherSurroundingsAreOutliers) {
   EXPECT_EQ(foreign.state, State::Lost);
 }
 
-TEST_F(OdometrySignatures, AreAskedOnlyWhereWanted) {
-  EXPECT_EQ(OdometryOptions().matcher.max_signature_difference, 1.0);
+TEST_F(OdometrySemanticDescriptors, AreAskedOnlyWhereWanted) {
+  EXPECT_EQ(OdometryOptions().matcher.max_semantic_difference, 1.0);
   EXPECT_GT(trackTwo(1.0, {1, 1}, {2, 2}).matches, 200);
 }
 
-TEST_F(OdometrySignatures, WhatHasNoneIsNotTested) {
+TEST_F(OdometrySemanticDescriptors, WhatHasNoneIsNotTested) {
   EXPECT_GT(trackTwo(0.0, {}, {1}).matches, 200);
   EXPECT_GT(trackTwo(0.0, {1}, {}).matches, 200);
 }

@@ -116,6 +116,39 @@ TEST_F(SlamSystemTest, TracksARoom) {
   slam.finish();
 }
 
+TEST_F(SlamSystemTest, InThreadsOrNotTheMapHoldsAllKeyframesInTheEnd) {
+  for (const bool deterministic : {true, false}) {
+    SlamOptions options = withoutFilters();
+    options.deterministic = deterministic;
+    SlamSystem slam(options);
+    ASSERT_TRUE(slam.buildsSemanticMap());
+    std::size_t keyframes = 0;
+    for (int image = 0; image < 10; ++image) keyframes += slam.process(observe(room_, image)).keyframe ? 1U : 0U;
+    slam.finish();
+    EXPECT_EQ(slam.mapper().graph().keyframes().size(), keyframes);
+    EXPECT_EQ(slam.semanticMap().keyframes.size(), keyframes);
+    EXPECT_EQ(slam.mapBuilder()->map().keyframes.size(), keyframes);
+    EXPECT_EQ(slam.viewsLeftOut(), 0U);
+    const auto* mapper = &slam.mapper();
+    slam.finish();
+    EXPECT_EQ(&slam.mapper(), mapper) << "asking twice does no harm";
+    EXPECT_EQ(slam.semanticMap().keyframes.size(), keyframes);
+    EXPECT_EQ(slam.trajectory().size(), 10U);
+  }
+}
+
+TEST_F(SlamSystemTest, WithoutMappingThereIsNoSemanticMap) {
+  SlamOptions options = withoutFilters();
+  options.mapping.enabled = false;
+  SlamSystem slam(options);
+  EXPECT_FALSE(slam.buildsSemanticMap());
+  slam.process(observe(room_, 0));
+  slam.finish();
+  EXPECT_EQ(slam.mapBuilder(), nullptr);
+  EXPECT_TRUE(slam.semanticMap().keyframes.empty());
+  EXPECT_EQ(slam.mapper().graph().keyframes().size(), 1U);
+}
+
 TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
   SlamOptions options = withoutFilters();
   options.deterministic = true;
@@ -124,13 +157,13 @@ TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
     SlamSystem first(options);
     for (int image = 0; image < 10; ++image) first.process(observe(room_, image));
     first.finish();
-    earlier = {graph::save(first.map().graph()), first.semanticMap()};
+    earlier = {graph::save(first.mapper().graph()), first.semanticMap()};
   }
   ASSERT_FALSE(earlier.graph.keyframes.empty());
   SlamSystem second(options, earlier);
   for (int image = 3; image < 12; ++image) second.process(observe(room_, image));
   second.finish();
-  EXPECT_EQ(second.map().submapsJoined(), 1U);
+  EXPECT_EQ(second.mapper().submapsJoined(), 1U);
   const auto trajectory = second.trajectory();
   ASSERT_EQ(trajectory.size(), 9U);
   for (int image = 3; image < 12; ++image) {

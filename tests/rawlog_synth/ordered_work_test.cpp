@@ -54,16 +54,17 @@ TEST(OrderedWork, FailsWhereNoMakerCanBeMade) {
 }
 
 TEST(OrderedWork, MakersLiveUntilAllHaveFinished) {
-  std::atomic<int> working{0};
+  std::atomic<int> begun{0};
+  std::atomic<int> working{2};
   std::atomic<bool> diedEarly{false};
   {
     OrderedWork<int> work(2, 2, [&] {
-      ++working;
+      ++begun;
       const std::shared_ptr<int> life(new int(0), [&](const int* p) {
         diedEarly = diedEarly || working > 0;
         delete p;
       });
-      while (working < 2 && !diedEarly) std::this_thread::yield();
+      while (begun < 2) std::this_thread::yield();
       return [&, life](std::size_t i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(i == 0 ? 0 : 30));
         --working;

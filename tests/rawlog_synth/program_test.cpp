@@ -19,7 +19,7 @@
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/label_space.h"
 #include "wardslam/core/mrpt_compat.h"
-#include "wardslam/storage/tum_trajectory.h"
+#include "wardslam/exchange/tum_trajectory.h"
 
 namespace wardslam {
 namespace {
@@ -106,7 +106,7 @@ TEST_F(SynthesisedWard, IsARawlogOfRegisteredColourAndDepth) {
 }
 
 TEST_F(SynthesisedWard, HasAPoseAndLabelsForEveryStamp) {
-  const auto truth = storage::readTumTrajectory(file("ward.groundtruth.txt"));
+  const auto truth = exchange::readTumTrajectory(file("ward.groundtruth.txt"));
   ASSERT_EQ(truth.size(), 3U);
   const auto labels = core::LabelSpace::cocoWith(file("ward_labels/classes.txt"));
   EXPECT_EQ(labels.find("trolley"), core::ClassId{102});
@@ -137,7 +137,7 @@ TEST_F(SynthesisedWard, ReplacesItsOwnOutput) {
 
 TEST_F(SynthesisedWard, DepthAgreesBetweenFramesByTheGroundTruth) {
   const auto scans = readRawlog(file("ward.rawlog"));
-  const auto truth = storage::readTumTrajectory(file("ward.groundtruth.txt"));
+  const auto truth = exchange::readTumTrajectory(file("ward.groundtruth.txt"));
   const core::CameraModel camera = core::fromMrpt(scans[0]->cameraParamsIntensity);
   const Eigen::Isometry3d T_b_a = truth[2].T_map_cam.inverse() * truth[0].T_map_cam;
   std::vector<double> errors_sigma;
@@ -185,7 +185,7 @@ TEST(RawlogSynth, RendersAFloorFromWhereItsRoundBegins) {
   const std::string size = " --rate 10 --width 160 --height 120";
   ASSERT_EQ(run("--scene floor --seconds 0.2 -o " + (folder.path() / "f.rawlog").string() + size), 0);
   EXPECT_EQ(readRawlog(folder.path() / "f.rawlog").size(), 2U);
-  const auto truth = storage::readTumTrajectory(folder.path() / "f.groundtruth.txt");
+  const auto truth = exchange::readTumTrajectory(folder.path() / "f.groundtruth.txt");
   EXPECT_TRUE(truth.front().T_map_cam.translation().head<2>().isApprox(Eigen::Vector2d(9.0, 1.5), 1e-6));
 }
 

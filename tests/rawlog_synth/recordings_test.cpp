@@ -15,8 +15,8 @@
 #include "support/temporary_folder.h"
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/sources/observation_source.h"
-#include "wardslam/storage/tum_trajectory.h"
 
 namespace wardslam {
 namespace {
@@ -80,7 +80,7 @@ TEST_F(RawlogSynthRecording, SaysHowTheCameraIsMounted) {
   EXPECT_NEAR(pose.pitch(), -20 * M_PI / 180, 1e-9);
   EXPECT_NEAR(pose.roll(), 5 * M_PI / 180, 1e-9);
   // The base under the true camera stands on the floor, all but level.
-  const auto truth = storage::readTumTrajectory(file("w.groundtruth.txt"));
+  const auto truth = exchange::readTumTrajectory(file("w.groundtruth.txt"));
   const Eigen::Isometry3d T_world_base =
       truth[0].T_map_cam * core::T_sensor_cam().inverse() * core::fromMrpt(pose).inverse();
   EXPECT_NEAR(T_world_base.translation().z(), 0.0, 0.03);
@@ -121,7 +121,7 @@ TEST_F(RawlogSynthRecording, AHandHidesTheLensWhileTheTruthGoesOn) {
   EXPECT_LT(brightness(*scans[1]), 12.0);
   EXPECT_GT(brightness(*scans[2]), 40.0);
   EXPECT_EQ(measuredPixels(*scans[1]), 0);
-  EXPECT_EQ(storage::readTumTrajectory(file("w.groundtruth.txt")).size(), 3U);
+  EXPECT_EQ(exchange::readTumTrajectory(file("w.groundtruth.txt")).size(), 3U);
   EXPECT_EQ(cv::countNonZero(label("masks", "1700000001.000000")), 0);
   EXPECT_EQ(cv::countNonZero(label("dynamic", "1700000001.000000")), 160 * 120);
   EXPECT_GT(cv::countNonZero(label("masks", "1700000002.000000")), 0);
@@ -131,7 +131,7 @@ TEST_F(RawlogSynthRecording, LostFramesAreMissingEverywhereButInTheTruth) {
   const auto scans = only<Scan>(record("--seconds 3 --rate 10 --drop 0.5"));
   EXPECT_LT(scans.size(), 26U);
   EXPECT_GT(scans.size(), 4U);
-  EXPECT_EQ(storage::readTumTrajectory(file("w.groundtruth.txt")).size(), 30U);
+  EXPECT_EQ(exchange::readTumTrajectory(file("w.groundtruth.txt")).size(), 30U);
   std::size_t masks = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(file("w_labels/masks"))) ++masks;
   EXPECT_EQ(masks, scans.size());
@@ -168,7 +168,7 @@ TEST_F(RawlogSynthRecording, AFolderIsOneOfTheTumLayout) {
   const double middle_m = depth.at<std::uint16_t>(60, 80) / 5000.0;
   EXPECT_GT(middle_m, 0.4);
   EXPECT_LT(middle_m, 8.0);
-  EXPECT_EQ(storage::readTumTrajectory(file("tum/groundtruth.txt")).size(), 3U);
+  EXPECT_EQ(exchange::readTumTrajectory(file("tum/groundtruth.txt")).size(), 3U);
   for (const char* name : {"tum/odometry.txt", "tum/imu.txt", "tum_labels/objects.csv", "tum_labels/masks"}) {
     EXPECT_TRUE(fs::exists(file(name))) << name;
   }

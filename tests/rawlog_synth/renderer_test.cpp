@@ -67,6 +67,17 @@ TEST(Renderer, PixelsLieWhereThePinholeModelPutsThem) {
   EXPECT_LT((sum / weight - expected).norm(), 0.05);
 }
 
+TEST(Renderer, ImagesHaveAnyWidth) {
+  const Scene scene = wallAndPanel();
+  for (const int width_px : {65, 66, 67, 321}) {
+    const Rendering seen = Renderer(scene, cameraFor(width_px, 61)).render(0.0, core::T_sensor_cam());
+    ASSERT_EQ(seen.color_bgr.size(), cv::Size(width_px, 61));
+    EXPECT_NEAR(seen.depth_m.at<float>(30, 2), 2.0F, 1e-5F);
+    EXPECT_EQ(seen.instanceIds.at<std::uint16_t>(30, width_px - 1), 3);
+    EXPECT_GT(seen.color_bgr.at<cv::Vec3b>(30, width_px - 1)[0], 120);
+  }
+}
+
 TEST(Renderer, AWholeWardIsThere) {
   const Scene scene = buildWard({});
   const Rendering seen = Renderer(scene, cameraFor(320, 240)).render(1.0, CameraPath().T_world_cam(1.0));

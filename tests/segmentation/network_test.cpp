@@ -41,8 +41,11 @@ class NetworkTest : public ::testing::TestWithParam<Backend> {
     source_.model = folder_.write("net.onnx", network());
     source_.backend = GetParam();
     try {
+      ::testing::internal::CaptureStderr();
       opened_ = openNetwork(source_);
+      errors_ = ::testing::internal::GetCapturedStderr();
     } catch (const InputError& error) {
+      static_cast<void>(::testing::internal::GetCapturedStderr());
       if (GetParam() == Backend::OpenCv) throw;
       EXPECT_THAT(error.what(), HasSubstr("this build has no ONNX Runtime; set segmentation.backend to opencv"));
       GTEST_SKIP() << error.what();
@@ -52,6 +55,7 @@ class NetworkTest : public ::testing::TestWithParam<Backend> {
   test::TemporaryFolder folder_;
   NetworkSource source_;
   OpenedNetwork opened_;
+  std::string errors_;  ///< What opening it wrote to standard error.
 };
 
 TEST_P(NetworkTest, PutsOutAllTensorsInTheOrderOfTheFile) {
@@ -81,6 +85,10 @@ TEST_P(NetworkTest, ThrowsOnAnInputItCannotTake) {
 TEST_P(NetworkTest, RefusesDamagedFiles) {
   source_.model = folder_.write("cut.onnx", network().substr(0, 150));
   EXPECT_THAT([&] { (void)openNetwork(source_); }, ThrowsMessage<InputError>(HasSubstr("cut.onnx: ")));
+}
+
+TEST_P(NetworkTest, OpensWithoutAWord) {
+  EXPECT_EQ(errors_, "") << "ONNX complains of operators that are registered twice";
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, NetworkTest, ::testing::Values(Backend::OpenCv, Backend::OnnxRuntime),

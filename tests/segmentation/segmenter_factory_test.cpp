@@ -105,21 +105,5 @@ TEST(SegmentationOptions, RefuseMisspeltAndWildValues) {
   EXPECT_THAT([] { parse("yolo: {confidence: 1.5}\n"); }, ThrowsMessage<core::InputError>(HasSubstr("confidence")));
 }
 
-TEST(MakeContourRefiner, LeavesRecordedMasksAloneByDefault) {
-  SegmentationOptions options;
-  options.type = Type::Yolo;
-  EXPECT_TRUE(makeContourRefiner(options, {}));
-  options.type = Type::RecordedMasks;
-  EXPECT_FALSE(makeContourRefiner(options, {}));
-}
-
-TEST(MakeContourRefiner, DoesAsItIsTold) {
-  const auto always = parse("{type: recorded_masks, refine_contours: always, contours: {max_growth: 0}}");
-  EXPECT_TRUE(makeContourRefiner(always, {}));
-  EXPECT_EQ(always.contours.max_growth_px, 0);
-  EXPECT_FALSE(makeContourRefiner(parse("{type: yolo, refine_contours: never}"), {}));
-  EXPECT_THAT([] { parse("{refine_contours: sometimes}"); }, ThrowsMessage<core::InputError>(HasSubstr("sometimes")));
-}
-
 }  // namespace
 }  // namespace wardslam::segmentation

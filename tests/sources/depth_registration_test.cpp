@@ -1,4 +1,4 @@
-#include "wardslam/sources/depth_registration.h"
+#include "depth_registration.h"
 
 #include <gtest/gtest.h>
 

@@ -3,12 +3,12 @@
 
 #include <thread>
 
+#include "recording/rawlog_writer.h"
 #include "sources/scan_maker.h"
 #include "sources/tum_folder_writer.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/sources/frame_builder.h"
 #include "wardslam/sources/observation_source.h"
-#include "wardslam/sources/rawlog_writer.h"
 
 namespace wardslam::sources {
 namespace {
@@ -56,7 +56,7 @@ TEST(OpenSource, ARawlogMadeFromAFolderGivesTheSameFrames) {
   const TumFolder folder(3);
   const auto file = folder.path() / "copy.rawlog";
   {
-    RawlogWriter writer(file);
+    recording::RawlogWriter writer(file);
     const auto source = openSource(folder.path(), {});
     while (const auto scan = source->next()) writer.write(*scan);
     writer.commit();

@@ -6,11 +6,11 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include "recording/rawlog_writer.h"
 #include "sources/scan_maker.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/sources/input_damage.h"
-#include "wardslam/sources/rawlog_writer.h"
 
 namespace wardslam::sources {
 namespace {
@@ -22,12 +22,12 @@ class ReadRawlog : public ::testing::Test {
 };
 
 TEST_F(ReadRawlog, CopiesObjectsByteForByte) {
-  RawlogWriter writer(file, ImageCoding::Jpeg);  // coding an image again would change it
+  recording::RawlogWriter writer(file, recording::ImageCoding::Jpeg);  // coding an image again would change it
   for (int i = 0; i < 3; ++i) writer.write(*test::makeScan(i));
   writer.commit();
   const auto copy = folder.path() / "copy.rawlog";
   RawlogReader reader(file);
-  RawlogWriter copier(copy);
+  recording::RawlogWriter copier(copy);
   while (reader.read()) copier.write(reader.bytes());
   copier.commit();
   EXPECT_EQ(reader.objects(), 3U);
@@ -35,7 +35,7 @@ TEST_F(ReadRawlog, CopiesObjectsByteForByte) {
 }
 
 TEST_F(ReadRawlog, KnowsObservationsOfOtherLibrariesOfMrpt) {
-  RawlogWriter writer(file);
+  recording::RawlogWriter writer(file);
   auto cloud = mrpt::obs::CObservationPointCloud();
   cloud.sensorLabel = "LIDAR";
   writer.write(cloud);
@@ -48,7 +48,7 @@ TEST_F(ReadRawlog, KnowsObservationsOfOtherLibrariesOfMrpt) {
 }
 
 TEST_F(ReadRawlog, TellsHowFarItIs) {
-  RawlogWriter writer(file);
+  recording::RawlogWriter writer(file);
   for (int i = 0; i < 20; ++i) writer.write(*test::makeScan(i, 320, 240));
   writer.commit();
   RawlogReader reader(file);
@@ -65,7 +65,7 @@ TEST_F(ReadRawlog, TellsHowFarItIs) {
 }
 
 TEST_F(ReadRawlog, EndsAtAnObjectThatIsCutOff) {
-  RawlogWriter writer(file);
+  recording::RawlogWriter writer(file);
   writer.write(*test::makeScan(0));
   writer.write(*test::makeScan(1));
   writer.commit();

@@ -1,4 +1,4 @@
-#include "wardslam/sources/rawlog_source.h"
+#include "rawlog_source.h"
 
 #include <gmock/gmock.h>
 #include <mrpt/io/CFileGZOutputStream.h>

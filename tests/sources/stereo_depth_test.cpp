@@ -1,4 +1,4 @@
-#include "wardslam/sources/stereo_depth.h"
+#include "stereo_depth.h"
 
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

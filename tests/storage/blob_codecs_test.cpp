@@ -55,20 +55,20 @@ TEST(BlobCodecs, NothingComesBackAsNothing) {
 }
 
 TEST(BlobCodecs, RefuseContentOfAnotherLength) {
-  ByteWriter out;
+  core::ByteWriter out;
   out.put(std::uint32_t{1000});
   out.put(1.0F);
-  EXPECT_THROW((void)decodeFeatures(pack(BlobKind::Features, 1, out.bytes())), BlobError);
-  EXPECT_THROW((void)decodeTile(pack(BlobKind::CloudTile, 1, out.bytes())), BlobError);
-  EXPECT_THROW((void)decodeCells(pack(BlobKind::FloorCells, 1, out.bytes())), BlobError);
-  EXPECT_THROW((void)decodeCells(pack(BlobKind::FloorCells, 1, {})), BlobError);
+  EXPECT_THROW((void)decodeFeatures(core::pack(core::BlobKind::Features, 1, out.bytes())), core::BlobError);
+  EXPECT_THROW((void)decodeTile(core::pack(core::BlobKind::CloudTile, 1, out.bytes())), core::BlobError);
+  EXPECT_THROW((void)decodeCells(core::pack(core::BlobKind::FloorCells, 1, out.bytes())), core::BlobError);
+  EXPECT_THROW((void)decodeCells(core::pack(core::BlobKind::FloorCells, 1, {})), core::BlobError);
 }
 
 TEST(BlobCodecs, RefuseSizesThatOverflow) {
-  ByteWriter out;
+  core::ByteWriter out;
   out.put(std::uint32_t{0x80000000});
   out.put(std::uint32_t{0x80000000});
-  EXPECT_THROW((void)decodeCells(pack(BlobKind::FloorCells, 1, out.bytes())), BlobError);
+  EXPECT_THROW((void)decodeCells(core::pack(core::BlobKind::FloorCells, 1, out.bytes())), core::BlobError);
 }
 
 }  // namespace

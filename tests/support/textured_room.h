@@ -29,7 +29,8 @@ class TexturedRoom {
   /// What a camera of 320x240 pixels sees from `T_room_cam`, which must be inside the room.
   [[nodiscard]] View look(const Eigen::Isometry3d& T_room_cam) const {
     const core::CameraModel camera = camera320x240();
-    View view{{camera.height_px, camera.width_px, CV_8UC3}, {camera.height_px, camera.width_px, CV_32FC1}};
+    const cv::Size size_px(camera.width_px, camera.height_px);
+    View view{cv::Mat(size_px, CV_8UC3), cv::Mat(size_px, CV_32FC1)};
     view.depth_m.forEach<float>([&](float& depth_m, const int* at) {
       const Eigen::Vector3d ray_room = T_room_cam.linear() * camera.unproject({at[1], at[0]}, 1.0);
       const Hit hit = follow(T_room_cam.translation(), ray_room);

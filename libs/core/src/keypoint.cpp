@@ -2,7 +2,7 @@
 
 namespace wardslam::core {
 
-std::optional<double> differenceOf(const Signature& a, const Signature& b) {
+std::optional<double> differenceOf(const SemanticDescriptor& a, const SemanticDescriptor& b) {
   if (a.empty() || a.size() != b.size()) return std::nullopt;
   std::size_t different = 0;
   for (std::size_t i = 0; i < a.size(); ++i) different += a[i] != b[i] ? 1 : 0;
@@ -11,7 +11,7 @@ std::optional<double> differenceOf(const Signature& a, const Signature& b) {
 
 Features selectStatic(const Features& features) {
   Features kept;
-  kept.signatures = features.signatures;
+  kept.semanticDescriptors = features.semanticDescriptors;
   kept.keypoints.reserve(features.size());
   kept.descriptors.reserve(features.size());
   for (std::size_t i = 0; i < features.size(); ++i) {

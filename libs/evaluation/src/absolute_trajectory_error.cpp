@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "association.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/evaluation/association.h"
 
 namespace wardslam::evaluation {
 namespace {

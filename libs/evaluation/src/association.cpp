@@ -1,4 +1,4 @@
-#include "wardslam/evaluation/association.h"
+#include "association.h"
 
 namespace wardslam::evaluation {
 namespace {

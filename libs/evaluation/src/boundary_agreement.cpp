@@ -1,4 +1,4 @@
-#include "wardslam/evaluation/boundary_agreement.h"
+#include "boundary_agreement.h"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>

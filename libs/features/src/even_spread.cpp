@@ -1,4 +1,4 @@
-#include "wardslam/features/even_spread.h"
+#include "even_spread.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <opencv2/features2d.hpp>
 
+#include "even_spread.h"
 #include "wardslam/core/nearest_pixel.h"
-#include "wardslam/features/even_spread.h"
 
 namespace wardslam::features {
 namespace {

@@ -83,8 +83,8 @@ cv::Mat describeSemantics(const cv::Mat& classIds, const std::vector<core::Keypo
   return descriptors;
 }
 
-core::Signature SemanticSignatures::of(const core::Keypoint& keypoint) const {
-  core::Signature cells(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_));
+core::SemanticDescriptor SemanticDescriptors::of(const core::Keypoint& keypoint) const {
+  core::SemanticDescriptor cells(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_));
   PatchSampler(classIds_, n_).sample(keypoint, cells.data());
   return cells;
 }

@@ -1,4 +1,4 @@
-#include "wardslam/filters/dynamic_test.h"
+#include "dynamic_test.h"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>

@@ -1,11 +1,9 @@
-#include "wardslam/filters/geometric_motion_filter.h"
-
-#include <mrpt/obs/CObservation3DRangeScan.h>
+#include "geometric_motion_filter.h"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "wardslam/core/annotation.h"
+#include "moved_options.h"
 #include "wardslam/core/nearest_pixel.h"
 
 namespace wardslam::filters {
@@ -31,16 +29,6 @@ cv::Mat markedPlaces(const core::Frame& frame) {
   return places;
 }
 
-/// What earlier filters annotated as moving; empty where they did not.
-cv::Mat markedPixels(const core::Frame& frame) {
-  if (!frame.observation) return {};
-  const cv::Mat labels = core::annotationOf(*frame.observation);
-  if (labels.size() != frame.gray.size()) return {};
-  cv::Mat marked;
-  cv::bitwise_and(labels, cv::Scalar(core::bitOf(core::PixelLabel::Dynamic)), marked);
-  return marked;
-}
-
 /// Those of the moving regions that what is marked already does not explain: around a mover with a mask, regions grown
 /// from points only blur its outline.
 cv::Mat unexplained(const cv::Mat& moving, const cv::Mat& marked) {
@@ -62,22 +50,10 @@ cv::Mat unexplained(const cv::Mat& moving, const cv::Mat& marked) {
   return kept;
 }
 
-/// Adds to what earlier filters wrote.
-void annotateDynamic(core::Frame& frame, const cv::Mat& moving) {
-  const auto& range = frame.observation->rangeImage;
-  if (range.rows() != moving.rows || range.cols() != moving.cols) {
-    ++frame.events["filters.annotation_size"];
-    return;
-  }
-  cv::Mat bits = core::annotationOf(*frame.observation);
-  if (bits.size() != moving.size()) bits = cv::Mat(moving.size(), CV_8UC1, cv::Scalar(0));
-  cv::bitwise_or(bits, cv::Scalar(core::bitOf(core::PixelLabel::Dynamic)), bits, moving);
-  core::annotate(*frame.observation, bits);
-}
-
 }  // namespace
 
 void GeometricMotionFilter::initialize(const core::ConfigNode& parameters, const FilterContext& /*context*/) {
+  refuseMovedOptions(parameters);
   core::readOptions(parameters, options_);
   motion_.emplace(options_.motion);
 }
@@ -91,9 +67,9 @@ void GeometricMotionFilter::apply(core::Frame& frame) {
   following_.get();
   motion_->judge(frame, markedPlaces(frame));
   if (motion_->isAtLoss()) ++frame.events["filters.motion_unknown"];
-  const cv::Mat found = movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
+  const cv::Mat found = change::movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
   motion_->distrust(found);
-  const cv::Mat moving = unexplained(found, markedPixels(frame));
+  const cv::Mat moving = unexplained(found, core::dynamicPixels(frame));
 
   auto& keypoints = frame.features.keypoints;
   const auto stays = std::count_if(keypoints.begin(), keypoints.end(),
@@ -105,8 +81,7 @@ void GeometricMotionFilter::apply(core::Frame& frame) {
   for (core::Keypoint& keypoint : keypoints) {
     if (isIn(moving, keypoint.raw_px)) keypoint.motion = core::Motion::Dynamic;
   }
-  core::addMayMove(frame, moving);
-  if (options_.annotate && frame.observation) annotateDynamic(frame, moving);
+  core::addDynamic(frame, moving);
 }
 
 std::string GeometricMotionFilter::parameters(int indent) const { return core::writeOptions(options_, indent); }

@@ -1,11 +1,11 @@
-#include "wardslam/filters/movable_judge.h"
+#include "movable_judge.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "wardslam/filters/surface_samples.h"
+#include "wardslam/change/surface_samples.h"
 
 namespace wardslam::filters {
 namespace {
@@ -30,14 +30,14 @@ std::map<core::ClassId, Points> surfacesOf(const knowledge::ClassSet& classes, c
     const cv::Rect box = cv::boundingRect(movers == id);
     if (box.empty()) continue;
     surfaces[id] =
-        sampleSurface(frame, box, kSamples, [&](int y, int x) { return movers.at<core::ClassId>(y, x) == id; });
+        change::sampleSurface(frame, box, kSamples, [&](int y, int x) { return movers.at<core::ClassId>(y, x) == id; });
   }
   return surfaces;
 }
 
 /// Where no depth tells how far apart they are, they are taken to be within reach.
 bool isWithin(double reach_m, const Points& thing, const Points& mover) {
-  return thing.empty() || mover.empty() || gapBetween(thing, mover) <= reach_m;
+  return thing.empty() || mover.empty() || change::gapBetween(thing, mover) <= reach_m;
 }
 
 Verdict::Finding findingOf(double prior, double evidence, double minProbability) {
@@ -54,7 +54,7 @@ std::vector<Verdict> MovableJudge::judge(const core::Frame& frame, const cv::Mat
   std::vector<Verdict> verdicts;
   for (const core::Instance& instance : segmentation.instances) {
     if (!rules_.isMovable(instance.classId)) continue;
-    const Points thing = sampleSurface(frame, instance.box_px, kSamples, [&](int y, int x) {
+    const Points thing = change::sampleSurface(frame, instance.box_px, kSamples, [&](int y, int x) {
       return segmentation.instanceIds.at<std::uint16_t>(y, x) == instance.id;
     });
     double strength = kStrengthAlone;

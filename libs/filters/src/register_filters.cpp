@@ -1,8 +1,8 @@
 #include "wardslam/filters/register_filters.h"
 
-#include "wardslam/filters/geometric_motion_filter.h"
+#include "geometric_motion_filter.h"
+#include "semantic_dynamic_filter.h"
 #include "wardslam/filters/observation_filter.h"
-#include "wardslam/filters/semantic_dynamic_filter.h"
 
 namespace wardslam::filters {
 

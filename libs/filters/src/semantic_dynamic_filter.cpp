@@ -1,15 +1,12 @@
-#include "wardslam/filters/semantic_dynamic_filter.h"
-
-#include <mrpt/obs/CObservation3DRangeScan.h>
+#include "semantic_dynamic_filter.h"
 
 #include <opencv2/imgproc.hpp>
 
-#include "wardslam/core/annotation.h"
+#include "moved_options.h"
 #include "wardslam/core/nearest_pixel.h"
 #include "wardslam/features/semantic_descriptor.h"
-#include "wardslam/filters/motion_annotation.h"
 #include "wardslam/knowledge/knowledge_graph.h"
-#include "wardslam/segmentation/async_segmenter.h"
+#include "wardslam/masks/async_segmenter.h"
 
 namespace wardslam::filters {
 
@@ -24,6 +21,19 @@ cv::Mat tableOfMoving(const knowledge::MotionRules& rules) {
     if (rules.isMoving(id)) ids.at<core::ClassId>(c) = id;
   }
   return ids;
+}
+
+cv::Mat tableOfLabels(const knowledge::MotionRules& rules) {
+  using core::bitOf;
+  using core::PixelLabel;
+  cv::Mat labels(1, 256, CV_8UC1, cv::Scalar(0));
+  for (int c = 1; c < 256; ++c) {
+    const auto id = static_cast<core::ClassId>(c);
+    auto& bits = labels.at<std::uint8_t>(c);
+    bits = rules.isMoving(id) ? bitOf(PixelLabel::Person) : bitOf(PixelLabel::Thing);
+    if (rules.isMovable(id)) bits = static_cast<std::uint8_t>(bits | bitOf(PixelLabel::Movable));
+  }
+  return labels;
 }
 
 cv::Mat widen(const cv::Mat& ids, int margin_px) {
@@ -52,6 +62,7 @@ void check(const SemanticDynamicOptions& options, const core::ConfigNode& parame
 }  // namespace
 
 void SemanticDynamicFilter::initialize(const core::ConfigNode& parameters, const FilterContext& context) {
+  refuseMovedOptions(parameters);
   core::readOptions(parameters, options_);
   check(options_, parameters);
   if (!context.segmenter) parameters.fail("SemanticDynamicFilter needs a segmenter; give masks or a network");
@@ -60,11 +71,12 @@ void SemanticDynamicFilter::initialize(const core::ConfigNode& parameters, const
     parameters.child("mode").fail(
         "in a deterministic run masks cannot come just when they are ready; give latency_frames (3, say) or mode wait");
   }
-  masks_ = makeMaskFeed(options_.masks, context.segmenter);
+  masks_ = masks::makeMaskFeed(options_.masks, context.segmenter);
   rules_.emplace(*context.knowledge, context.segmenter->labelSpace());
   test_.emplace(*rules_, options_.test);
   judge_.emplace(*rules_, options_.judge);
   movingIds_ = tableOfMoving(*rules_);
+  classLabels_ = tableOfLabels(*rules_);
 }
 
 void SemanticDynamicFilter::begin(const core::Frame& frame) {
@@ -80,8 +92,11 @@ void SemanticDynamicFilter::apply(core::Frame& frame) {
     ++frame.events["filters.no_segmentation"];
     return;
   }
-  frame.features.signatures =
-      std::make_shared<features::SemanticSignatures>(frame.segmentation.classIds, options_.test.n);
+  frame.features.semanticDescriptors =
+      std::make_shared<features::SemanticDescriptors>(frame.segmentation.classIds, options_.test.n);
+  cv::Mat labels;
+  cv::LUT(frame.segmentation.classIds, classLabels_, labels);
+  core::addLabels(frame, labels);
   cv::Mat movers;
   cv::LUT(frame.segmentation.classIds, movingIds_, movers);
   const bool hasInstances = !frame.segmentation.instanceIds.empty();
@@ -115,21 +130,19 @@ void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat&
   cv::Mat dynamic = test_->mask();
   dynamic.setTo(0, rests);
   dynamic |= moves;
-  core::addMayMove(frame, dynamic | suspected);
+  core::addDynamic(frame, dynamic);
+  core::addMayMove(frame, suspected);
   for (core::Keypoint& keypoint : frame.features.keypoints) {
     const cv::Point pixel = core::nearestPixel(keypoint.raw_px, dynamic.size());
     if (dynamic.at<std::uint8_t>(pixel) != 0) keypoint.motion = core::Motion::Dynamic;
     keypoint.staticProbability = staticProbability.at<float>(pixel);
   }
-  annotate(frame, dynamic);
 }
 
 void SemanticDynamicFilter::markByPaper(core::Frame& frame, const cv::Mat& movers) {
   setTestImage(frame.segmentation.classIds, movers);
   test_->mark(frame.features.keypoints);
-  const cv::Mat dynamic = test_->mask();
-  core::addMayMove(frame, dynamic);
-  annotate(frame, dynamic);
+  core::addDynamic(frame, test_->mask());
 }
 
 cv::Mat SemanticDynamicFilter::setTestImage(const cv::Mat& classIds, const cv::Mat& movers) {
@@ -139,16 +152,6 @@ cv::Mat SemanticDynamicFilter::setTestImage(const cv::Mat& classIds, const cv::M
   classIds.copyTo(tested, (widened == 0) | (movers != 0));
   test_->setImage(tested);
   return widened;
-}
-
-void SemanticDynamicFilter::annotate(core::Frame& frame, const cv::Mat& dynamicMask) {
-  if (!options_.annotate || !frame.observation) return;
-  const auto& range = frame.observation->rangeImage;
-  if (range.rows() != dynamicMask.rows || range.cols() != dynamicMask.cols) {
-    ++frame.events["filters.annotation_size"];
-    return;
-  }
-  core::annotate(*frame.observation, motionLabels(frame.segmentation, dynamicMask, *rules_));
 }
 
 }  // namespace wardslam::filters

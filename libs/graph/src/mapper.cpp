@@ -4,10 +4,10 @@
 #include <functional>
 #include <set>
 
+#include "bundle_adjustment.h"
 #include "pose_graph.h"
 #include "redundancy.h"
 #include "wardslam/core/mrpt_compat.h"
-#include "wardslam/graph/bundle_adjustment.h"
 
 namespace wardslam::graph {
 namespace {

@@ -1,4 +1,4 @@
-#include "wardslam/mapping/semantic_color.h"
+#include "semantic_color.h"
 
 namespace wardslam::mapping {
 

@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "wardslam/core/annotation.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/nearest_pixel.h"
 #include "wardslam/features/semantic_descriptor.h"
@@ -44,16 +43,15 @@ std::shared_ptr<CObservationSemanticRGBD> toObservation(const core::Frame& frame
   if (frame.observation) {
     observation->timestamp = frame.observation->timestamp;  // exactly
     observation->sensorLabel = frame.observation->sensorLabel + kSemanticSuffix;
-    observation->labelBits = core::annotationOf(*frame.observation);
-    if (observation->labelBits.size() != frame.gray.size()) observation->labelBits.release();
   }
+  observation->labelBits = frame.labelBits;
   observation->cameraPose = core::toMrpt(frame.T_base_cam * core::T_sensor_cam().inverse());
   observation->camera = frame.camera;
   observation->segmentation = frame.segmentation;
   observation->classes = namesIn(frame.segmentation.classIds, labels);
   observation->descriptorSide = descriptorSide;
   observation->features = frame.features;
-  observation->features.signatures = nullptr;
+  observation->features.semanticDescriptors = nullptr;
   for (const core::Keypoint& keypoint : frame.features.keypoints) {
     observation->states.push_back(stateOf(keypoint, observation->labelBits));
   }
@@ -68,12 +66,11 @@ core::Frame toFrame(const CObservationSemanticRGBD& observation) {
   frame.segmentation = observation.segmentation;
   frame.features = observation.features;
   if (!frame.segmentation.empty()) {
-    frame.features.signatures =
-        std::make_shared<features::SemanticSignatures>(frame.segmentation.classIds, observation.descriptorSide);
+    frame.features.semanticDescriptors =
+        std::make_shared<features::SemanticDescriptors>(frame.segmentation.classIds, observation.descriptorSide);
   }
-  if (!observation.labelBits.empty()) {
-    frame.mayMove = (observation.labelBits & core::bitOf(core::PixelLabel::Dynamic)) != 0;
-  }
+  frame.labelBits = observation.labelBits;
+  frame.mayMove = core::dynamicPixels(frame);
   return frame;
 }
 

@@ -26,10 +26,10 @@ std::runtime_error damaged(const std::string& what) {
 }
 
 /// `size` bytes; takes no more memory than there is to read, whatever a damaged size says.
-storage::Bytes readBytes(mrpt::serialization::CArchive& in, std::size_t size) {
+core::Bytes readBytes(mrpt::serialization::CArchive& in, std::size_t size) {
   constexpr std::size_t kStep = 1U << 20U;
   if (size > kMostContent_bytes) throw damaged("it should hold " + std::to_string(size) + " bytes");
-  storage::Bytes bytes;
+  core::Bytes bytes;
   while (bytes.size() < size) {
     const std::size_t begin = bytes.size();
     const std::size_t step = std::min(kStep, size - begin);
@@ -42,7 +42,7 @@ storage::Bytes readBytes(mrpt::serialization::CArchive& in, std::size_t size) {
 std::string readLabel(mrpt::serialization::CArchive& in) {
   const std::size_t size = in.ReadAs<std::uint32_t>();
   if (size > kMostLabel_bytes) throw damaged("the sensor label has " + std::to_string(size) + " letters");
-  const storage::Bytes bytes = readBytes(in, size);
+  const core::Bytes bytes = readBytes(in, size);
   return {bytes.begin(), bytes.end()};
 }
 
@@ -51,7 +51,7 @@ std::string readLabel(mrpt::serialization::CArchive& in) {
 std::uint8_t CObservationSemanticRGBD::serializeGetVersion() const { return kVersion; }
 
 void CObservationSemanticRGBD::serializeTo(mrpt::serialization::CArchive& out) const {
-  const storage::Bytes content = encodeContent(*this);
+  const core::Bytes content = encodeContent(*this);
   out << sensorLabel.substr(0, kMostLabel_bytes) << timestamp;
   out.WriteAs<std::uint32_t>(content.size());
   out.WriteBuffer(content.data(), content.size());
@@ -65,10 +65,10 @@ void CObservationSemanticRGBD::serializeFrom(mrpt::serialization::CArchive& in, 
   }
   sensorLabel = readLabel(in);
   in >> timestamp;
-  const storage::Bytes content = readBytes(in, in.ReadAs<std::uint32_t>());
+  const core::Bytes content = readBytes(in, in.ReadAs<std::uint32_t>());
   try {
     decodeContent(content, *this);
-  } catch (const storage::BlobError& error) {
+  } catch (const core::BlobError& error) {
     throw damaged(error.what());
   }
 }

@@ -7,12 +7,12 @@
 namespace wardslam::mrpt_plugin {
 namespace {
 
+using core::BlobError;
+using core::BlobKind;
+using core::ByteReader;
+using core::ByteWriter;
 using core::Instance;
 using core::Keypoint;
-using storage::BlobError;
-using storage::BlobKind;
-using storage::ByteReader;
-using storage::ByteWriter;
 
 constexpr std::uint8_t kLayoutVersion = 1;
 constexpr int kFastest = 1;  // of zstd's levels: these images are of few, large areas
@@ -120,7 +120,7 @@ void putClasses(ByteWriter& out, const std::map<core::ClassId, std::string>& cla
 }
 
 void putFeatures(ByteWriter& out, const CObservationSemanticRGBD& observation) {
-  const auto& [keypoints, descriptors, signatures] = observation.features;
+  const auto& [keypoints, descriptors, semanticDescriptors] = observation.features;
   out.put(static_cast<std::uint32_t>(keypoints.size()));
   for (const Keypoint& keypoint : keypoints) put(out, keypoint);
   out.putBytes(observation.states.data(), observation.states.size());
@@ -128,7 +128,7 @@ void putFeatures(ByteWriter& out, const CObservationSemanticRGBD& observation) {
 }
 
 void getFeatures(ByteReader& in, CObservationSemanticRGBD& observation) {
-  auto& [keypoints, descriptors, signatures] = observation.features;
+  auto& [keypoints, descriptors, semanticDescriptors] = observation.features;
   keypoints.resize(getCount(in, kOrbBytes));
   for (Keypoint& keypoint : keypoints) keypoint = get<Keypoint>(in);
   observation.states.resize(keypoints.size());
@@ -167,7 +167,7 @@ void getFeatures(ByteReader& in, CObservationSemanticRGBD& observation) {
 
 }  // namespace
 
-storage::Bytes encodeContent(const CObservationSemanticRGBD& observation) {
+core::Bytes encodeContent(const CObservationSemanticRGBD& observation) {
   if (const char* why = contradictionIn(observation))
     throw std::logic_error(std::string("CObservationSemanticRGBD: ") + why);
   ByteWriter out;
@@ -183,11 +183,11 @@ storage::Bytes encodeContent(const CObservationSemanticRGBD& observation) {
   putClasses(out, observation.classes);
   out.put(static_cast<std::uint8_t>(observation.descriptorSide));
   putFeatures(out, observation);
-  return storage::pack(BlobKind::Observation, kLayoutVersion, out.bytes(), kFastest);
+  return core::pack(BlobKind::Observation, kLayoutVersion, out.bytes(), kFastest);
 }
 
-void decodeContent(const storage::Bytes& blob, CObservationSemanticRGBD& observation) {
-  const storage::Bytes content = storage::unpack(BlobKind::Observation, kLayoutVersion, blob);
+void decodeContent(const core::Bytes& blob, CObservationSemanticRGBD& observation) {
+  const core::Bytes content = core::unpack(BlobKind::Observation, kLayoutVersion, blob);
   ByteReader in(content);
   observation.cameraPose = getPose(in);
   observation.camera = get<core::CameraModel>(in);

@@ -1,16 +1,16 @@
 #pragma once
 
+#include "wardslam/core/blob.h"
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
-#include "wardslam/storage/blob.h"
 
 namespace wardslam::mrpt_plugin {
 
 /// Everything of the observation but stamp and label, as a blob (docs/file_formats.md). Throws std::logic_error where
 /// its parts contradict each other.
-[[nodiscard]] storage::Bytes encodeContent(const CObservationSemanticRGBD& observation);
+[[nodiscard]] core::Bytes encodeContent(const CObservationSemanticRGBD& observation);
 
-/// Throws storage::BlobError where the blob is damaged or its parts contradict each other; `observation` is then left
+/// Throws core::BlobError where the blob is damaged or its parts contradict each other; `observation` is then left
 /// half filled.
-void decodeContent(const storage::Bytes& blob, CObservationSemanticRGBD& observation);
+void decodeContent(const core::Bytes& blob, CObservationSemanticRGBD& observation);
 
 }  // namespace wardslam::mrpt_plugin

@@ -37,7 +37,9 @@ class LocalMap {
   void describe(PointId id, const core::Keypoint& keypoint, const OrbDescriptor& descriptor,
                 const Eigen::Isometry3d& T_map_cam);
   /// Remembers what surrounds it.
-  void sign(PointId id, core::Signature signature) { points_.at(id).signature = std::move(signature); }
+  void describe(PointId id, core::SemanticDescriptor surroundings) {
+    points_.at(id).semanticDescriptor = std::move(surroundings);
+  }
 
   /// Recalled points count as seen in `frame`, the last one.
   void apply(const MapUpdate& update, std::uint64_t frame);

@@ -34,7 +34,7 @@ class Odometry::Tracker {
   }
 
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features) {
-    const View view{stamp_s, camera, features, KeypointGrid(features.keypoints, camera), frame_++};
+    const TrackedImage view{stamp_s, camera, features, KeypointGrid(features.keypoints, camera), frame_++};
     if (state_ == State::Initialising) return initialise(view);
     const Tracking tracking = find(view);
     return poseTracker_.isGood(tracking) ? accept(view, tracking) : lose(view, tracking);
@@ -50,16 +50,17 @@ class Odometry::Tracker {
     std::size_t mostTracked = 0;  ///< Points found in one image since then.
   };
 
-  OdometryResult initialise(const View& view);
-  [[nodiscard]] core::Signature signatureOf(const core::Features& features, const core::Keypoint& keypoint) const;
-  [[nodiscard]] Tracking find(const View& view) const;
-  OdometryResult accept(const View& view, const Tracking& tracking);
-  OdometryResult lose(const View& view, const Tracking& tracking);
+  OdometryResult initialise(const TrackedImage& view);
+  [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
+                                                              const core::Keypoint& keypoint) const;
+  [[nodiscard]] Tracking find(const TrackedImage& view) const;
+  OdometryResult accept(const TrackedImage& view, const Tracking& tracking);
+  OdometryResult lose(const TrackedImage& view, const Tracking& tracking);
   void beginSubmap();
-  void updateMap(const View& view, const Tracking& tracking);
-  [[nodiscard]] std::vector<std::size_t> newPointCandidates(const View& view, const Tracking& tracking) const;
-  [[nodiscard]] bool needsKeyframe(const View& view, const Tracking& tracking, std::size_t newPoints) const;
-  std::shared_ptr<const Keyframe> insertKeyframe(const View& view, const Tracking& tracking,
+  void updateMap(const TrackedImage& view, const Tracking& tracking);
+  [[nodiscard]] std::vector<std::size_t> newPointCandidates(const TrackedImage& view, const Tracking& tracking) const;
+  [[nodiscard]] bool needsKeyframe(const TrackedImage& view, const Tracking& tracking, std::size_t newPoints) const;
+  std::shared_ptr<const Keyframe> insertKeyframe(const TrackedImage& view, const Tracking& tracking,
                                                  const std::vector<std::size_t>& newPoints);
   [[nodiscard]] OdometryResult result(const Tracking& tracking, std::shared_ptr<const Keyframe> keyframe) const;
 
@@ -78,12 +79,13 @@ class Odometry::Tracker {
   int framesLost_ = 0;
 };
 
-core::Signature Odometry::Tracker::signatureOf(const core::Features& features, const core::Keypoint& keypoint) const {
-  const bool isAsked = features.signatures && options_.matcher.max_signature_difference < 1.0;
-  return isAsked ? features.signatures->of(keypoint) : core::Signature{};
+core::SemanticDescriptor Odometry::Tracker::semanticDescriptorOf(const core::Features& features,
+                                                                 const core::Keypoint& keypoint) const {
+  const bool isAsked = features.semanticDescriptors && options_.matcher.max_semantic_difference < 1.0;
+  return isAsked ? features.semanticDescriptors->of(keypoint) : core::SemanticDescriptor{};
 }
 
-OdometryResult Odometry::Tracker::initialise(const View& view) {
+OdometryResult Odometry::Tracker::initialise(const TrackedImage& view) {
   const auto newPoints = newPointCandidates(view, {});
   if (static_cast<int>(newPoints.size()) < options_.min_initial_points) return {};
   state_ = State::Ok;
@@ -92,7 +94,7 @@ OdometryResult Odometry::Tracker::initialise(const View& view) {
   return result({}, insertKeyframe(view, {}, newPoints));
 }
 
-Tracking Odometry::Tracker::find(const View& view) const {
+Tracking Odometry::Tracker::find(const TrackedImage& view) const {
   if (state_ == State::Ok) {
     const Tracking tracking = poseTracker_.trackByMotion(view, map_, lastSeen_, T_cam_previous_ * T_cam_map_);
     if (poseTracker_.isGood(tracking)) return poseTracker_.trackNeighbourhood(view, map_, tracking);
@@ -101,7 +103,7 @@ Tracking Odometry::Tracker::find(const View& view) const {
   return poseTracker_.isGood(tracking) ? poseTracker_.trackNeighbourhood(view, map_, tracking) : tracking;
 }
 
-OdometryResult Odometry::Tracker::accept(const View& view, const Tracking& tracking) {
+OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Tracking& tracking) {
   const bool wasOk = state_ == State::Ok;
   T_cam_previous_ = wasOk ? tracking.T_cam_map * T_cam_map_.inverse() : Eigen::Isometry3d::Identity();
   T_cam_map_ = tracking.T_cam_map;
@@ -115,7 +117,7 @@ OdometryResult Odometry::Tracker::accept(const View& view, const Tracking& track
   return result(tracking, isKeyframe ? insertKeyframe(view, tracking, newPoints) : nullptr);
 }
 
-OdometryResult Odometry::Tracker::lose(const View& view, const Tracking& tracking) {
+OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking& tracking) {
   state_ = State::Lost;
   if (++framesLost_ <= options_.max_lost_frames) return result(tracking, nullptr);
   beginSubmap();
@@ -131,7 +133,7 @@ void Odometry::Tracker::beginSubmap() {
   ++submap_;
 }
 
-void Odometry::Tracker::updateMap(const View& view, const Tracking& tracking) {
+void Odometry::Tracker::updateMap(const TrackedImage& view, const Tracking& tracking) {
   for (const PointId id : tracking.visible) map_.countVisible(id);
   const Eigen::Isometry3d T_map_cam = T_cam_map_.inverse();
   lastSeen_.clear();
@@ -141,7 +143,8 @@ void Odometry::Tracker::updateMap(const View& view, const Tracking& tracking) {
   }
 }
 
-std::vector<std::size_t> Odometry::Tracker::newPointCandidates(const View& view, const Tracking& tracking) const {
+std::vector<std::size_t> Odometry::Tracker::newPointCandidates(const TrackedImage& view,
+                                                               const Tracking& tracking) const {
   std::vector<bool> isTaken(view.features.size(), false);
   for (const Match& match : tracking.inliers) isTaken[match.keypoint] = true;
   std::vector<std::size_t> candidates;
@@ -153,7 +156,7 @@ std::vector<std::size_t> Odometry::Tracker::newPointCandidates(const View& view,
   return candidates;
 }
 
-bool Odometry::Tracker::needsKeyframe(const View& view, const Tracking& tracking, std::size_t newPoints) const {
+bool Odometry::Tracker::needsKeyframe(const TrackedImage& view, const Tracking& tracking, std::size_t newPoints) const {
   const KeyframeOptions& keyframes = options_.keyframes;
   if (static_cast<int>(newPoints) < keyframes.min_new_points) return false;
   const bool isLate = view.frame - lastKeyframe_.frame >= static_cast<std::uint64_t>(keyframes.max_frame_gap);
@@ -162,7 +165,7 @@ bool Odometry::Tracker::needsKeyframe(const View& view, const Tracking& tracking
   return isLate || hasLeft;
 }
 
-std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const View& view, const Tracking& tracking,
+std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedImage& view, const Tracking& tracking,
                                                                   const std::vector<std::size_t>& newPoints) {
   const Eigen::Isometry3d T_map_cam = T_cam_map_.inverse();
   const bool isFirst = map_.points().empty();
@@ -170,13 +173,13 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const View& vi
   for (const Match& match : tracking.inliers) {
     const auto& keypoint = view.features.keypoints[match.keypoint];
     map_.describe(match.point, keypoint, descriptorOf(view.features, match.keypoint), T_map_cam);
-    map_.sign(match.point, signatureOf(view.features, keypoint));
+    map_.describe(match.point, semanticDescriptorOf(view.features, keypoint));
     keyframe->sightings.push_back({match.point, match.keypoint});
   }
   for (const std::size_t i : newPoints) {
     MapPoint point = makeMapPoint(view.features.keypoints[i], descriptorOf(view.features, i), view.camera, T_map_cam);
     point.lastSeenFrame = view.frame;
-    point.signature = signatureOf(view.features, view.features.keypoints[i]);
+    point.semanticDescriptor = semanticDescriptorOf(view.features, view.features.keypoints[i]);
     const PointId id = map_.add(point);
     lastSeen_.push_back(id);
     keyframe->sightings.push_back({id, i});
@@ -188,7 +191,7 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const View& vi
   keyframe->T_map_cam = T_map_cam;
   if (!isFirst) keyframe->T_previous_cam = lastKeyframe_.T_map_cam.inverse() * T_map_cam;
   keyframe->features = view.features;
-  keyframe->features.signatures.reset();  // it may hold on to whole images
+  keyframe->features.semanticDescriptors.reset();  // it may hold on to whole images
   map_.addKeyframe(keyframe->id, lastSeen_);
   map_.cull();
   lastKeyframe_ = {keyframe->id, view.frame, T_map_cam, 0};

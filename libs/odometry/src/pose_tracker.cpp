@@ -4,7 +4,7 @@
 
 namespace wardslam::odometry {
 
-Tracking PoseTracker::trackByMotion(const View& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
+Tracking PoseTracker::trackByMotion(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
                                     const Eigen::Isometry3d& T_cam_map_predicted) const {
   Tracking tracking;
   for (const double widening : {1.0, 2.0, 4.0}) {
@@ -14,13 +14,13 @@ Tracking PoseTracker::trackByMotion(const View& view, const LocalMap& map, const
   return tracking;
 }
 
-Tracking PoseTracker::trackNeighbourhood(const View& view, const LocalMap& map, const Tracking& rough) const {
+Tracking PoseTracker::trackNeighbourhood(const TrackedImage& view, const LocalMap& map, const Tracking& rough) const {
   std::vector<PointId> seeds;
   for (const Match& match : rough.inliers) seeds.push_back(match.point);
   return search(view, map, map.neighbourhood(seeds), rough.T_cam_map, options_.matcher.narrow_radius_px);
 }
 
-Tracking PoseTracker::relocalise(const View& view, const LocalMap& map) const {
+Tracking PoseTracker::relocalise(const TrackedImage& view, const LocalMap& map) const {
   std::vector<DescribedPoint> points;
   for (const auto& [id, point] : map.points()) points.push_back({id, &point.descriptor});
   const auto matches = alike(view, map, matcher_.searchEverywhere(points, view.features));
@@ -28,7 +28,7 @@ Tracking PoseTracker::relocalise(const View& view, const LocalMap& map) const {
   return estimate(view, map, matches, pose.T_cam_map);
 }
 
-Tracking PoseTracker::search(const View& view, const LocalMap& map, const std::vector<PointId>& points,
+Tracking PoseTracker::search(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& points,
                              const Eigen::Isometry3d& T_cam_map, double radius_px) const {
   std::vector<ProjectedPoint> projections;
   std::vector<PointId> visible;
@@ -46,20 +46,21 @@ Tracking PoseTracker::search(const View& view, const LocalMap& map, const std::v
   return tracking;
 }
 
-std::vector<Match> PoseTracker::alike(const View& view, const LocalMap& map, std::vector<Match> matches) const {
-  const double limit = options_.matcher.max_signature_difference;
-  if (!view.features.signatures || limit >= 1.0) return matches;
+std::vector<Match> PoseTracker::alike(const TrackedImage& view, const LocalMap& map, std::vector<Match> matches) const {
+  const double limit = options_.matcher.max_semantic_difference;
+  if (!view.features.semanticDescriptors || limit >= 1.0) return matches;
   const auto differs = [&](const Match& match) {
-    const core::Signature& known = map.find(match.point)->signature;
+    const core::SemanticDescriptor& known = map.find(match.point)->semanticDescriptor;
     if (known.empty()) return false;
-    const core::Signature seen = view.features.signatures->of(view.features.keypoints[match.keypoint]);
+    const core::SemanticDescriptor seen =
+        view.features.semanticDescriptors->of(view.features.keypoints[match.keypoint]);
     return core::differenceOf(known, seen).value_or(0.0) > limit;
   };
   matches.erase(std::remove_if(matches.begin(), matches.end(), differs), matches.end());
   return matches;
 }
 
-Tracking PoseTracker::estimate(const View& view, const LocalMap& map, const std::vector<Match>& matches,
+Tracking PoseTracker::estimate(const TrackedImage& view, const LocalMap& map, const std::vector<Match>& matches,
                                const Eigen::Isometry3d& T_cam_map) const {
   const PoseEstimate pose = solver_.refine(observe(view, map, matches), view.camera, T_cam_map);
   Tracking tracking{pose.T_cam_map, {}, {}, static_cast<int>(matches.size())};
@@ -69,7 +70,7 @@ Tracking PoseTracker::estimate(const View& view, const LocalMap& map, const std:
   return tracking;
 }
 
-std::vector<PointObservation> PoseTracker::observe(const View& view, const LocalMap& map,
+std::vector<PointObservation> PoseTracker::observe(const TrackedImage& view, const LocalMap& map,
                                                    const std::vector<Match>& matches) const {
   std::vector<PointObservation> observations;
   observations.reserve(matches.size());

@@ -12,7 +12,7 @@
 namespace wardslam::odometry {
 
 /// One image as tracking sees it.
-struct View {
+struct TrackedImage {
   double stamp_s;
   const core::CameraModel& camera;
   const core::Features& features;
@@ -39,23 +39,25 @@ class PoseTracker {
   }
 
   /// From a pose predicted by motion and the points the last image showed, searching wider until enough are found.
-  [[nodiscard]] Tracking trackByMotion(const View& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
+  [[nodiscard]] Tracking trackByMotion(const TrackedImage& view, const LocalMap& map,
+                                       const std::vector<PointId>& lastSeen,
                                        const Eigen::Isometry3d& T_cam_map_predicted) const;
 
   /// From a pose that is nearly right: looks for all points of the neighbourhood.
-  [[nodiscard]] Tracking trackNeighbourhood(const View& view, const LocalMap& map, const Tracking& rough) const;
+  [[nodiscard]] Tracking trackNeighbourhood(const TrackedImage& view, const LocalMap& map, const Tracking& rough) const;
 
   /// From nothing, by looks alone.
-  [[nodiscard]] Tracking relocalise(const View& view, const LocalMap& map) const;
+  [[nodiscard]] Tracking relocalise(const TrackedImage& view, const LocalMap& map) const;
 
  private:
-  [[nodiscard]] Tracking search(const View& view, const LocalMap& map, const std::vector<PointId>& points,
+  [[nodiscard]] Tracking search(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& points,
                                 const Eigen::Isometry3d& T_cam_map, double radius_px) const;
   /// The matches whose surroundings are alike too (P6), as far as both are known.
-  [[nodiscard]] std::vector<Match> alike(const View& view, const LocalMap& map, std::vector<Match> matches) const;
-  [[nodiscard]] Tracking estimate(const View& view, const LocalMap& map, const std::vector<Match>& matches,
+  [[nodiscard]] std::vector<Match> alike(const TrackedImage& view, const LocalMap& map,
+                                         std::vector<Match> matches) const;
+  [[nodiscard]] Tracking estimate(const TrackedImage& view, const LocalMap& map, const std::vector<Match>& matches,
                                   const Eigen::Isometry3d& T_cam_map) const;
-  [[nodiscard]] std::vector<PointObservation> observe(const View& view, const LocalMap& map,
+  [[nodiscard]] std::vector<PointObservation> observe(const TrackedImage& view, const LocalMap& map,
                                                       const std::vector<Match>& matches) const;
 
   const OdometryOptions& options_;

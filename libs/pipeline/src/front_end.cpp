@@ -4,7 +4,8 @@
 
 #include "wardslam/core/annotation.h"
 #include "wardslam/core/data_files.h"
-#include "wardslam/segmentation/async_segmenter.h"
+#include "wardslam/filters/annotation.h"
+#include "wardslam/masks/async_segmenter.h"
 
 namespace wardslam::pipeline {
 namespace {
@@ -15,19 +16,21 @@ std::shared_ptr<const knowledge::KnowledgeGraph> readKnowledge(const SlamOptions
 }
 
 /// Refines the contours of what moves by itself: its key points must go, those beside it should stay.
-std::shared_ptr<segmentation::AsyncSegmenter> makeAsyncSegmenter(const segmentation::SegmentationOptions& options,
-                                                                 const knowledge::KnowledgeGraph& knowledge) {
+std::shared_ptr<masks::AsyncSegmenter> makeAsyncSegmenter(const SegmentationSection& options,
+                                                          const knowledge::KnowledgeGraph& knowledge) {
   auto segmenter = segmentation::makeSegmenter(options);
   if (!segmenter) return nullptr;
   const knowledge::MotionRules rules(knowledge, segmenter->labelSpace());
-  return std::make_shared<segmentation::AsyncSegmenter>(std::move(segmenter),
-                                                        segmentation::makeContourRefiner(options, rules.moving()));
+  const bool isNetwork = options.type != segmentation::SegmentationOptions::Type::RecordedMasks;
+  return std::make_shared<masks::AsyncSegmenter>(
+      std::move(segmenter), masks::makeContourRefiner(options.refinement, isNetwork, rules.moving()));
 }
 
 }  // namespace
 
 FrontEnd::FrontEnd(const SlamOptions& options, const odometry::Continuation& earlier)
     : mapFrame_(options.map_frame),
+      annotates_(options.annotate),
       knowledge_(readKnowledge(options)),
       segmenter_(makeAsyncSegmenter(options.segmentation, *knowledge_)),
       labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
@@ -38,11 +41,12 @@ FrontEnd::FrontEnd(const SlamOptions& options, const odometry::Continuation& ear
 }
 
 FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
-  core::removeAnnotation(*observation);  // of an earlier run: filters take annotations for those of filters before them
+  core::removeAnnotation(*observation);  // of an earlier run
   core::Frame frame = profiler_.time("sources.build_frame", [&] { return frameBuilder_.build(observation); });
   filters_.begin(frame);                                                  // segmentation starts in its own thread,
   profiler_.time("features.extract", [&] { features_.extract(frame); });  // key points are found meanwhile,
   profiler_.time("filters.apply", [&] { filters_.apply(frame); });        // and what moves is marked
+  if (annotates_) profiler_.time("filters.annotate", [&] { filters::annotateObservation(frame); });
   if (!odometry_.hasStarted()) odometry_.startFrom(startPose(mapFrame_, frame));
   auto odometry = profiler_.time("odometry.track", [&] {
     return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "map_feed.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
 
@@ -40,13 +41,20 @@ void requireSameNames(const core::LabelSpace& labels, const mapping::SemanticMap
   }
 }
 
-std::unique_ptr<SceneKeeper> makeScene(const SlamOptions& options, mapping::MapSetting setting,
-                                       const mapping::SemanticMap& earlier, core::Profiler& profiler) {
-  const bool isSegmented = options.segmentation.type != segmentation::SegmentationOptions::Type::None;
+std::unique_ptr<mapping::MapBuilder> makeMapBuilder(const SlamOptions& options, mapping::MapSetting setting,
+                                                    const mapping::SemanticMap& earlier) {
   auto builder = std::make_unique<mapping::MapBuilder>(options.mapping, std::move(setting));
   if (!earlier.keyframes.empty()) builder->restore(earlier);
-  return std::make_unique<SceneKeeper>(
-      std::move(builder), SceneKeeper::Options{options.mapping.views, !options.deterministic, isSegmented}, profiler);
+  return builder;
+}
+
+ViewSelection makeViewSelection(const SlamOptions& options) {
+  const bool isSegmented = options.segmentation.type != segmentation::SegmentationOptions::Type::None;
+  return {options.mapping.views, isSegmented};
+}
+
+core::StageThread threadOf(const SlamOptions& options) {
+  return options.deterministic ? core::StageThread::Caller : core::StageThread::Own;
 }
 
 mapping::Zones zonesOf(const SlamOptions& options, const mapping::SemanticMap& earlier) {
@@ -60,13 +68,20 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier)
     : options_(options),
       frontEnd_(options, continuationOf(earlier.graph)),
       zones_(zonesOf(options, earlier.semantic)),
-      map_(makeMapper(options, earlier.graph), !options.deterministic) {
+      graphBuilding_(makeMapper(options, earlier.graph), threadOf(options)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
   requireSameNames(labelSpace(), earlier.semantic);
   addObserver(trajectory_);
-  if (options.mapping.enabled) {
-    scene_ = makeScene(options, {labelSpace(), frontEnd_.movers(), zones_}, earlier.semantic, frontEnd_.profiler());
-  }
+  if (!options.mapping.enabled) return;
+  mapBuilding_ = std::make_unique<core::Stage<mapping::MapBuilder>>(
+      makeMapBuilder(options, {labelSpace(), frontEnd_.movers(), zones_}, earlier.semantic), threadOf(options));
+  mapFeed_ = std::make_unique<MapFeed>(*mapBuilding_, makeViewSelection(options), frontEnd_.profiler());
+}
+
+SlamSystem::~SlamSystem() = default;
+
+void SlamSystem::writeTo(storage::MapFileWriter& writer) {
+  if (mapFeed_) mapFeed_->writeTo(writer);
 }
 
 odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
@@ -75,9 +90,10 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   auto [frame, odometry] = frontEnd_.process(observation);
   if (odometry.keyframe) {
     const auto insertion = profiler.measure("graph.insert");
-    map_.insert(odometry.keyframe);
+    insert(odometry.keyframe);
   }
-  const auto updates = map_.takeUpdates();
+  graphBuilding_.rethrowFailure();
+  const auto updates = mapUpdates_.takeAll();
   for (const auto& update : updates) {
     const auto application = profiler.measure("odometry.apply");
     frontEnd_.apply(update);
@@ -85,27 +101,37 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
     if (hasEarlierMap_ && !recognisedAt_s_ && update.joined && update.joined->into == 0)
       recognisedAt_s_ = frame.stamp_s;
   }
-  if (scene_) scene_->update(frame, odometry, updates);
+  if (mapFeed_) mapFeed_->update(frame, odometry, updates);
   for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
   return odometry;
 }
 
+/// A keyframe that comes while another is worked in has adjustments over the whole map end early.
+void SlamSystem::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
+  graphBuilding_.post([this, keyframe](graph::Mapper& mapper) {
+    mapUpdates_.put(mapper.insert(keyframe, &graphBuilding_.isWaitedFor()));
+  });
+}
+
 void SlamSystem::finish() {
-  finishedMap_ = &map_.finish();
-  for (const auto& update : map_.takeUpdates()) {
-    trajectory_.apply(update);
-    if (scene_) scene_->apply(update);
+  if (!mapper_) {
+    mapper_ = graphBuilding_.finish();
+    mapper_->adjustAll();
   }
-  if (scene_) scene_->finish();
+  for (const auto& update : mapUpdates_.takeAll()) {
+    trajectory_.apply(update);
+    if (mapFeed_) mapFeed_->apply(update);
+  }
+  if (mapBuilding_ && !mapBuilder_) mapBuilder_ = mapBuilding_->finish();
 }
 
 mapping::SemanticMap SlamSystem::semanticMap() const {
-  return scene_ ? scene_->finish().map() : mapping::SemanticMap{};
+  return mapBuilder_ ? mapBuilder_->map() : mapping::SemanticMap{};
 }
 
 core::Trajectory SlamSystem::trajectory() const {
   std::map<odometry::KeyframeId, Eigen::Isometry3d> T_map_keyframe;
-  for (const auto& [id, node] : finishedMap_->graph().keyframes()) T_map_keyframe.emplace(id, node.T_map_cam);
+  for (const auto& [id, node] : mapper_->graph().keyframes()) T_map_keyframe.emplace(id, node.T_map_cam);
   return trajectory_.corrected(T_map_keyframe);
 }
 

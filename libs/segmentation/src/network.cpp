@@ -5,10 +5,10 @@
 #include <iterator>
 #include <string_view>
 
+#include "onnx_file.h"
 #include "onnxruntime_network.h"
 #include "opencv_network.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/segmentation/onnx_file.h"
 
 namespace wardslam::segmentation {
 namespace {

@@ -1,4 +1,4 @@
-#include "wardslam/segmentation/onnx_file.h"
+#include "onnx_file.h"
 
 namespace wardslam::segmentation {
 namespace {

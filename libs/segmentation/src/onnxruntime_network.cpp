@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iostream>
+#include <mutex>
 #include <vector>
 
+#include "repeated_schema_filter.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::segmentation {
@@ -47,10 +50,19 @@ cv::Mat toTensor(const Ort::Value& value) {
   }
 }
 
+/// The first session of a process registers the operators again, not without noise (repeated_schema_filter.h).
+Ort::Session openSession(const Ort::Env& environment, const std::string& bytes) {
+  static std::mutex oneAtATime;
+  const std::lock_guard<std::mutex> lock(oneAtATime);
+  static RepeatedSchemaFilter filter(*std::cerr.rdbuf());
+  const FilterGuard guard(filter);
+  return {environment, bytes.data(), bytes.size(), Ort::SessionOptions()};
+}
+
 class OnnxRuntimeNetwork : public Network {
  public:
   OnnxRuntimeNetwork(const NetworkSource& source, const std::string& bytes)
-      : session_(environment_, bytes.data(), bytes.size(), Ort::SessionOptions()), outputs_(source.outputs) {
+      : session_(openSession(environment_, bytes)), outputs_(source.outputs) {
     const Ort::AllocatorWithDefaultOptions allocator;
     input_ = session_.GetInputNameAllocated(0, allocator).get();
   }

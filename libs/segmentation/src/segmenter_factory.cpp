@@ -18,14 +18,4 @@ std::unique_ptr<Segmenter> makeSegmenter(const SegmentationOptions& options) {
   return nullptr;
 }
 
-std::optional<ContourRefiner> makeContourRefiner(const SegmentationOptions& options,
-                                                 const ContourRefiner::ClassSet& classes) {
-  using Refine = SegmentationOptions::Refine;
-  const bool isNetwork = options.type != SegmentationOptions::Type::RecordedMasks;
-  const bool isWanted =
-      options.refine_contours == Refine::Always || (options.refine_contours == Refine::Networks && isNetwork);
-  if (!isWanted) return std::nullopt;
-  return ContourRefiner(options.contours, classes);
-}
-
 }  // namespace wardslam::segmentation

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "gzip_file.h"
 #include "image_file.h"
+#include "wardslam/sources/gzip_file.h"
 #include "wardslam/sources/input_damage.h"
 
 namespace wardslam::sources {

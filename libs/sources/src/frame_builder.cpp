@@ -9,11 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "depth_registration.h"
 #include "observation_check.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/view_rays.h"
-#include "wardslam/sources/depth_registration.h"
 
 namespace wardslam::sources {
 namespace {

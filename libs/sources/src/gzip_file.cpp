@@ -1,4 +1,4 @@
-#include "gzip_file.h"
+#include "wardslam/sources/gzip_file.h"
 
 #include <array>
 #include <fstream>

@@ -9,11 +9,11 @@
 
 #include "observation_camera.h"
 #include "observation_check.h"
+#include "sensor_process.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/sources/sensor_link.h"
-#include "wardslam/sources/sensor_process.h"
 
 namespace wardslam::sources {
 namespace {

@@ -1,8 +1,8 @@
+#include "prefetching_source.h"
+#include "rawlog_source.h"
+#include "tum_folder_source.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/sources/observation_source.h"
-#include "wardslam/sources/prefetching_source.h"
-#include "wardslam/sources/rawlog_source.h"
-#include "wardslam/sources/tum_folder_source.h"
 
 namespace wardslam::sources {
 

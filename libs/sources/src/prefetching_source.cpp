@@ -1,4 +1,4 @@
-#include "wardslam/sources/prefetching_source.h"
+#include "prefetching_source.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -63,7 +63,7 @@ std::shared_ptr<CSerializable> RawlogReader::read() {
     if (const auto name = unregisteredClass(error.what())) {
       throw InputDamage("sources.rawlog_unknown_class", "holds an object of class " + *name +
                                                             ", which this program does not know; remove such " +
-                                                            "objects with rawlog-edit and the plug-in that has it");
+                                                            "objects with rawlog-cut and the plug-in that has it (-p)");
     }
     if (input_->stream.remembered().empty()) return nullptr;  // not one byte of a further object: a proper end
     throw InputDamage("sources.rawlog_truncated", "is cut off or damaged; copy or record it again");

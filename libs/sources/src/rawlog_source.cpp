@@ -1,4 +1,4 @@
-#include "wardslam/sources/rawlog_source.h"
+#include "rawlog_source.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationStereoImages.h>

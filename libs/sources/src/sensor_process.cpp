@@ -1,4 +1,4 @@
-#include "wardslam/sources/sensor_process.h"
+#include "sensor_process.h"
 
 #include <fcntl.h>
 #include <spawn.h>

@@ -1,4 +1,4 @@
-#include "wardslam/sources/tum_folder_source.h"
+#include "tum_folder_source.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

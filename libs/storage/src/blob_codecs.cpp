@@ -16,15 +16,15 @@ constexpr std::uint8_t kFanVersion = 1;
 
 /// Hands every field of a record, in the order of the layout, to `column`.
 template <class Column>
-void forEachColumn(std::vector<Keypoint>& keypoints, const Column& column) {
-  column(keypoints, [](Keypoint& k) -> float& { return k.raw_px.x; });
-  column(keypoints, [](Keypoint& k) -> float& { return k.raw_px.y; });
-  column(keypoints, [](Keypoint& k) -> float& { return k.undistorted_px.x; });
-  column(keypoints, [](Keypoint& k) -> float& { return k.undistorted_px.y; });
-  column(keypoints, [](Keypoint& k) -> float& { return k.depth_m; });
-  column(keypoints, [](Keypoint& k) -> float& { return k.angle_rad; });
-  column(keypoints, [](Keypoint& k) -> float& { return k.response; });
-  column(keypoints, [](Keypoint& k) -> float& { return k.scale; });
+void forEachColumn(std::vector<core::Keypoint>& keypoints, const Column& column) {
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.raw_px.x; });
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.raw_px.y; });
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.undistorted_px.x; });
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.undistorted_px.y; });
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.depth_m; });
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.angle_rad; });
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.response; });
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.scale; });
 }
 constexpr std::size_t kKeypointSize = 8 * sizeof(float) + sizeof(OrbDescriptor);
 
@@ -50,14 +50,14 @@ void forEachColumn(std::vector<Eigen::Vector3f>& points, const Column& column) {
 }
 
 template <class Record>
-void putColumns(ByteWriter& out, std::vector<Record> records) {
+void putColumns(core::ByteWriter& out, std::vector<Record> records) {
   forEachColumn(records, [&out](auto& all, auto field) {
     for (auto& record : all) out.put(field(record));
   });
 }
 
 template <class Record>
-void getColumns(ByteReader& in, std::vector<Record>& records) {
+void getColumns(core::ByteReader& in, std::vector<Record>& records) {
   forEachColumn(records, [&in](auto& all, auto field) {
     for (auto& record : all) field(record) = in.get<std::decay_t<decltype(field(record))>>();
   });
@@ -65,19 +65,19 @@ void getColumns(ByteReader& in, std::vector<Record>& records) {
 
 }  // namespace
 
-Bytes encodeFeatures(const core::Features& features) {
-  ByteWriter out;
+core::Bytes encodeFeatures(const core::Features& features) {
+  core::ByteWriter out;
   out.put(static_cast<std::uint32_t>(features.size()));
   putColumns(out, features.keypoints);
   for (std::size_t i = 0; i < features.size(); ++i) {
     out.putBytes(features.descriptors.ptr(static_cast<int>(i)), sizeof(OrbDescriptor));
   }
-  return pack(BlobKind::Features, kFeaturesVersion, out.bytes());
+  return core::pack(core::BlobKind::Features, kFeaturesVersion, out.bytes());
 }
 
-core::Features decodeFeatures(const Bytes& blob) {
-  const Bytes content = unpack(BlobKind::Features, kFeaturesVersion, blob);
-  ByteReader in(content);
+core::Features decodeFeatures(const core::Bytes& blob) {
+  const core::Bytes content = core::unpack(core::BlobKind::Features, kFeaturesVersion, blob);
+  core::ByteReader in(content);
   core::Features features;
   features.keypoints.resize(in.getCount(kKeypointSize));
   getColumns(in, features.keypoints);
@@ -86,53 +86,53 @@ core::Features decodeFeatures(const Bytes& blob) {
   return features;
 }
 
-Bytes encodeTile(const mapping::SemanticCloudTile& tile) {
-  ByteWriter out;
+core::Bytes encodeTile(const mapping::SemanticCloudTile& tile) {
+  core::ByteWriter out;
   out.put(static_cast<std::uint32_t>(tile.points.size()));
   putColumns(out, tile.points);
-  return pack(BlobKind::CloudTile, kTileVersion, out.bytes());
+  return core::pack(core::BlobKind::CloudTile, kTileVersion, out.bytes());
 }
 
-mapping::SemanticCloudTile decodeTile(const Bytes& blob) {
-  const Bytes content = unpack(BlobKind::CloudTile, kTileVersion, blob);
-  ByteReader in(content);
+mapping::SemanticCloudTile decodeTile(const core::Bytes& blob) {
+  const core::Bytes content = core::unpack(core::BlobKind::CloudTile, kTileVersion, blob);
+  core::ByteReader in(content);
   mapping::SemanticCloudTile tile;
   tile.points.resize(in.getCount(kPointSize));
   getColumns(in, tile.points);
   return tile;
 }
 
-Bytes encodeFan(const std::vector<Eigen::Vector3f>& fan_cam_m) {
-  ByteWriter out;
+core::Bytes encodeFan(const std::vector<Eigen::Vector3f>& fan_cam_m) {
+  core::ByteWriter out;
   out.put(static_cast<std::uint32_t>(fan_cam_m.size()));
   putColumns(out, fan_cam_m);
-  return pack(BlobKind::FreeFan, kFanVersion, out.bytes());
+  return core::pack(core::BlobKind::FreeFan, kFanVersion, out.bytes());
 }
 
-std::vector<Eigen::Vector3f> decodeFan(const Bytes& blob) {
-  const Bytes content = unpack(BlobKind::FreeFan, kFanVersion, blob);
-  ByteReader in(content);
+std::vector<Eigen::Vector3f> decodeFan(const core::Bytes& blob) {
+  const core::Bytes content = core::unpack(core::BlobKind::FreeFan, kFanVersion, blob);
+  core::ByteReader in(content);
   std::vector<Eigen::Vector3f> fan_cam_m(in.getCount(3 * sizeof(float)));
   getColumns(in, fan_cam_m);
   return fan_cam_m;
 }
 
-Bytes encodeCells(const cv::Mat& cells) {
-  ByteWriter out;
+core::Bytes encodeCells(const cv::Mat& cells) {
+  core::ByteWriter out;
   out.put(static_cast<std::uint32_t>(cells.rows));
   out.put(static_cast<std::uint32_t>(cells.cols));
   for (int row = 0; row < cells.rows; ++row) out.putBytes(cells.ptr(row), static_cast<std::size_t>(cells.cols));
-  return pack(BlobKind::FloorCells, kCellsVersion, out.bytes());
+  return core::pack(core::BlobKind::FloorCells, kCellsVersion, out.bytes());
 }
 
-cv::Mat decodeCells(const Bytes& blob) {
-  const Bytes content = unpack(BlobKind::FloorCells, kCellsVersion, blob);
-  ByteReader in(content);
+cv::Mat decodeCells(const core::Bytes& blob) {
+  const core::Bytes content = core::unpack(core::BlobKind::FloorCells, kCellsVersion, blob);
+  core::ByteReader in(content);
   const std::uint64_t rows = in.get<std::uint32_t>();
   const std::uint64_t columns = in.get<std::uint32_t>();
   if (rows * columns != content.size() - 2 * sizeof(std::uint32_t)) {
-    throw BlobError("it should hold " + std::to_string(rows) + " x " + std::to_string(columns) +
-                    " cells, and its size says otherwise");
+    throw core::BlobError("it should hold " + std::to_string(rows) + " x " + std::to_string(columns) +
+                          " cells, and its size says otherwise");
   }
   if (rows * columns == 0) return {};
   cv::Mat cells(static_cast<int>(rows), static_cast<int>(columns), CV_8UC1);

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "map_reading.h"
-#include "wardslam/storage/blob.h"
+#include "wardslam/core/blob.h"
 
 namespace wardslam::storage {
 namespace {
@@ -56,7 +56,7 @@ void checkContents(SQLite::Database& database, Problems& problems) {
   const auto attempt = [&problems](const auto& read) {
     try {
       read();
-    } catch (const BlobError& error) {
+    } catch (const core::BlobError& error) {
       problems.emplace_back(error.what());
     }
   };

@@ -8,8 +8,8 @@
 #include "map_reading.h"
 #include "map_schema.h"
 #include "map_writing.h"
+#include "wardslam/core/blob.h"
 #include "wardslam/core/errors.h"
-#include "wardslam/storage/blob.h"
 
 namespace wardslam::storage {
 namespace {
@@ -46,7 +46,7 @@ auto guarded(const fs::path& file, const Work& work) {
     return work();
   } catch (const SQLite::Exception& error) {
     throw core::InputError(file.string() + ": " + explain(error));
-  } catch (const BlobError& error) {
+  } catch (const core::BlobError& error) {
     throw core::InputError(file.string() + ": is damaged: " + error.what());
   }
 }

@@ -17,8 +17,8 @@ void forEachRow(SQLite::Database& database, const std::string& what, const char*
   while (statement.executeStep()) {
     try {
       take(ColumnReader(statement));
-    } catch (const BlobError& error) {
-      throw BlobError(what + " " + statement.getColumn(0).getString() + ": " + error.what());
+    } catch (const core::BlobError& error) {
+      throw core::BlobError(what + " " + statement.getColumn(0).getString() + ": " + error.what());
     }
   }
 }
@@ -40,10 +40,10 @@ void readKeyframes(SQLite::Database& database, mapping::SemanticMap& map) {
 void readFreeFans(SQLite::Database& database, mapping::SemanticMap& map) {
   forEachRow(database, "free fan of keyframe", "SELECT keyframe, points FROM free_fans", [&map](ColumnReader row) {
     odometry::KeyframeId keyframe = 0;
-    Bytes blob;
+    core::Bytes blob;
     row >> keyframe >> blob;
     const auto found = map.keyframes.find(keyframe);
-    if (found == map.keyframes.end()) throw BlobError("that keyframe is missing");
+    if (found == map.keyframes.end()) throw core::BlobError("that keyframe is missing");
     found->second.freeFan_cam_m = decodeFan(blob);
   });
 }
@@ -52,7 +52,7 @@ void readCloud(SQLite::Database& database, mapping::SemanticMap& map) {
   forEachRow(database, "cloud tile of keyframe", "SELECT keyframe, points FROM cloud_tiles ORDER BY keyframe",
              [&map](ColumnReader row) {
                odometry::KeyframeId keyframe = 0;
-               Bytes blob;
+               core::Bytes blob;
                row >> keyframe >> blob;
                map.cloud.emplace(keyframe, decodeTile(blob));
              });
@@ -103,9 +103,9 @@ void readFloorPlan(SQLite::Database& database, mapping::SemanticMap& map) {
   forEachRow(database, "floor plan", "SELECT id, resolution_m, origin_x_m, origin_y_m, cells FROM floor_plan",
              [&map](ColumnReader row) {
                std::uint32_t id = 0;
-               Bytes blob;
+               core::Bytes blob;
                row >> id >> map.floorPlan.resolution_m >> map.floorPlan.origin_m >> blob;
-               if (map.floorPlan.resolution_m <= 0) throw BlobError("its resolution is not positive");
+               if (map.floorPlan.resolution_m <= 0) throw core::BlobError("its resolution is not positive");
                map.floorPlan.cells = decodeCells(blob);
              });
 }
@@ -133,9 +133,9 @@ std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQL
              [&](ColumnReader row) {
                odometry::Keyframe view;
                std::uint32_t camera = 0;
-               Bytes blob;
+               core::Bytes blob;
                row >> view.id >> view.stamp_s >> view.T_map_cam >> camera >> blob;
-               if (cameras.count(camera) == 0) throw BlobError("its camera is missing");
+               if (cameras.count(camera) == 0) throw core::BlobError("its camera is missing");
                view.camera = cameras.at(camera);
                view.features = decodeFeatures(blob);
                views.emplace(view.id, std::move(view));
@@ -211,8 +211,9 @@ std::vector<odometry::Keyframe> readViews(SQLite::Database& database) {
                std::uint64_t keypoint = 0;
                row >> keyframe >> point >> keypoint;
                const auto view = views.find(keyframe);
-               if (view == views.end()) throw BlobError("that keyframe has no features");
-               if (keypoint >= view->second.features.size()) throw BlobError("it names a key point that is not there");
+               if (view == views.end()) throw core::BlobError("that keyframe has no features");
+               if (keypoint >= view->second.features.size())
+                 throw core::BlobError("it names a key point that is not there");
                view->second.sightings.push_back({point, static_cast<std::size_t>(keypoint)});
              });
   std::vector<odometry::Keyframe> inOrder;

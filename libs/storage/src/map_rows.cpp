@@ -9,7 +9,7 @@ constexpr double kShortestQuaternion = 1e-3;
 
 }  // namespace
 
-ParameterBinder& ParameterBinder::operator<<(const Bytes& value) {
+ParameterBinder& ParameterBinder::operator<<(const core::Bytes& value) {
   statement_.bind(++index_, value.data(), static_cast<int>(value.size()));
   return *this;
 }
@@ -31,7 +31,7 @@ ColumnReader& ColumnReader::operator>>(std::string& value) {
   return *this;
 }
 
-ColumnReader& ColumnReader::operator>>(Bytes& value) {
+ColumnReader& ColumnReader::operator>>(core::Bytes& value) {
   const SQLite::Column column = statement_.getColumn(index_++);
   const auto* const first = static_cast<const std::uint8_t*>(column.getBlob());
   value.assign(first, first + column.getBytes());
@@ -42,13 +42,13 @@ ColumnReader& ColumnReader::operator>>(Eigen::Isometry3d& pose) {
   Eigen::Vector3d t;
   Eigen::Quaterniond q;
   *this >> t >> q.x() >> q.y() >> q.z() >> q.w();
-  if (q.norm() < kShortestQuaternion) throw BlobError("its quaternion is zero");
+  if (q.norm() < kShortestQuaternion) throw core::BlobError("its quaternion is zero");
   pose = Eigen::Translation3d(t) * q.normalized();
   return *this;
 }
 
 void ColumnReader::failAtColumn() {
-  throw BlobError(std::string("its ") + statement_.getColumn(index_).getName() + " is impossible");
+  throw core::BlobError(std::string("its ") + statement_.getColumn(index_).getName() + " is impossible");
 }
 
 mapping::ObjectState objectState(const std::string& name) {
@@ -56,7 +56,7 @@ mapping::ObjectState objectState(const std::string& name) {
   for (const auto state : {ObjectState::Static, ObjectState::Moved, ObjectState::Gone}) {
     if (name == toString(state)) return state;
   }
-  throw BlobError("its state is '" + name + "'");
+  throw core::BlobError("its state is '" + name + "'");
 }
 
 }  // namespace wardslam::storage

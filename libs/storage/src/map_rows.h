@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "wardslam/core/blob.h"
 #include "wardslam/mapping/map_object.h"
-#include "wardslam/storage/blob.h"
 
 /// Between C++ values and columns of the map file.
 namespace wardslam::storage {
@@ -22,7 +22,7 @@ class ParameterBinder {
   ParameterBinder& operator<<(std::uint64_t value) { return bind(static_cast<std::int64_t>(value)); }
   ParameterBinder& operator<<(const std::string& value) { return bind(value); }
   ParameterBinder& operator<<(const char* value) { return bind(value); }
-  ParameterBinder& operator<<(const Bytes& value);
+  ParameterBinder& operator<<(const core::Bytes& value);
   ParameterBinder& operator<<(const Eigen::Vector2d& value) { return *this << value.x() << value.y(); }
   ParameterBinder& operator<<(const Eigen::Vector3d& value) { return *this << value.x() << value.y() << value.z(); }
   ParameterBinder& operator<<(const Eigen::Isometry3d& pose);  ///< x y z qx qy qz qw
@@ -51,7 +51,7 @@ class ColumnReader {
   ColumnReader& operator>>(std::uint32_t& value) { return integer(value); }
   ColumnReader& operator>>(std::uint64_t& value) { return integer(value); }
   ColumnReader& operator>>(std::string& value);
-  ColumnReader& operator>>(Bytes& value);
+  ColumnReader& operator>>(core::Bytes& value);
   ColumnReader& operator>>(Eigen::Vector2d& value) { return *this >> value.x() >> value.y(); }
   ColumnReader& operator>>(Eigen::Vector3d& value) { return *this >> value.x() >> value.y() >> value.z(); }
   ColumnReader& operator>>(Eigen::Isometry3d& pose);

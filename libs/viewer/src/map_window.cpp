@@ -7,14 +7,14 @@
 #include <thread>
 
 #include "display.h"
-#include "wardslam/storage/map_scene.h"
+#include "wardslam/viewer/map_scene.h"
 
 namespace wardslam::viewer {
 
 void showMap(const mapping::SemanticMap& map, const std::string& title) {
   requireDisplay();
   mrpt::gui::CDisplayWindow3D window(title, 1200, 900);
-  window.get3DSceneAndLock() = storage::makeScene(map);
+  window.get3DSceneAndLock() = viewer::makeScene(map);
   window.unlockAccess3DScene();
   window.setCameraElevationDeg(50.0F);
   window.setCameraZoom(12.0F);

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "wardslam/core/errors.h"
-#include "wardslam/storage/map_scene.h"
+#include "wardslam/viewer/map_scene.h"
 
 namespace wardslam::viewer {
 namespace {
@@ -51,7 +51,7 @@ std::unique_ptr<mrpt::opengl::CFBORender> makeTarget(const cv::Size& size_px) {
 
 cv::Mat drawPerspective(const mapping::SemanticMap& map, const cv::Size& size_px) {
   const auto target = makeTarget(size_px);  // owns the OpenGL context: outlives the scene's buffers
-  const auto scene = storage::makeScene(withoutCeiling(map));
+  const auto scene = viewer::makeScene(withoutCeiling(map));
   scene->getViewport()->setCustomBackgroundColor({1.0F, 1.0F, 1.0F});
   const auto extent = extentOf(map);
   auto& camera = target->getCamera(*scene);

@@ -25,29 +25,30 @@ struct Keypoint {
   [[nodiscard]] bool hasDepth() const { return depth_m > 0.0F; }
 };
 
-/// What surrounds a key point, as cells that are alike or differ; what they stand for is known to their maker alone.
-using Signature = std::vector<std::uint8_t>;
+/// The semantic descriptor of a key point (P4): what surrounds it, as cells that are alike or differ; what they stand
+/// for is known to their maker alone.
+using SemanticDescriptor = std::vector<std::uint8_t>;
 
-/// Makes the signatures of one image, each when it is asked for.
-class SignatureSource {
+/// Makes the semantic descriptors of one image, each when it is asked for.
+class SemanticDescriptorSource {
  public:
-  virtual ~SignatureSource() = default;
+  virtual ~SemanticDescriptorSource() = default;
   /// Of equal length for all key points.
-  [[nodiscard]] virtual Signature of(const Keypoint& keypoint) const = 0;
+  [[nodiscard]] virtual SemanticDescriptor of(const Keypoint& keypoint) const = 0;
 };
 
 /// Key points and their ORB descriptors: row i of `descriptors` (CV_8UC1, 32 columns) belongs to keypoints[i].
 struct Features {
   std::vector<Keypoint> keypoints;
   cv::Mat descriptors;
-  std::shared_ptr<const SignatureSource> signatures = nullptr;  ///< Null: the key points have none.
+  std::shared_ptr<const SemanticDescriptorSource> semanticDescriptors = nullptr;  ///< Null: the key points have none.
 
   [[nodiscard]] std::size_t size() const { return keypoints.size(); }
 };
 
-/// Share (0..1) of the cells in which two signatures differ; nothing where they cannot be compared, as one is empty or
-/// they are of different length.
-[[nodiscard]] std::optional<double> differenceOf(const Signature& a, const Signature& b);
+/// Share (0..1) of the cells in which two semantic descriptors differ; nothing where they cannot be compared, as one is
+/// empty or they are of different length.
+[[nodiscard]] std::optional<double> differenceOf(const SemanticDescriptor& a, const SemanticDescriptor& b);
 
 /// The features a filter has not marked dynamic: P_static = P_orb − P_dynamic (Eq. 9, P7).
 [[nodiscard]] Features selectStatic(const Features& features);

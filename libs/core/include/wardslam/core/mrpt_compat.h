@@ -7,20 +7,36 @@
 
 #include <Eigen/Geometry>
 
-/// Everything that depends on MRPT's conventions or version, in one place; docs/architecture.md says what else changed
-/// in MRPT 3.
+/// Everything that depends on MRPT's conventions or version, in one place; what concerns one of MRPT's libraries only,
+/// in mrpt_<library>_compat.h beside it. docs/architecture.md says what else changed in MRPT 3.
 #if __has_include(<mrpt/viz/Scene.h>)
 #error "This is written for MRPT 2.5 to 2.15, and what was found is MRPT 3"
 #endif
 
-/// Within an abstract class that MRPT can name. MRPT_VERSION is hexadecimal digits: from 2.14.0 on the macro takes the
-/// namespace too.
-#if MRPT_VERSION >= 0x2e0
+/// What MRPT_VERSION is in this version of MRPT: one hexadecimal digit a part before 2.10.2, two from there on. The
+/// numbers grow with the version all the same, so that they can be compared.
+#define WARDSLAM_MRPT_VERSION(major, minor, patch)                                                \
+  (10000 * (major) + 100 * (minor) + (patch) < 21002 ? 0x100 * (major) + 0x10 * (minor) + (patch) \
+                                                     : 0x10000 * (major) + 0x100 * (minor) + (patch))
+static_assert(MRPT_VERSION >= WARDSLAM_MRPT_VERSION(2, 5, 0), "This is written for MRPT 2.5 to 2.15");
+
+/// Within an abstract class that MRPT can name: from 2.14.0 on the macro takes the namespace too.
+#if MRPT_VERSION >= WARDSLAM_MRPT_VERSION(2, 14, 0)
 #define WARDSLAM_DEFINE_VIRTUAL_MRPT_OBJECT(class_name, class_namespace) \
   DEFINE_VIRTUAL_MRPT_OBJECT(class_name, class_namespace)
 #else
 #define WARDSLAM_DEFINE_VIRTUAL_MRPT_OBJECT(class_name, class_namespace) DEFINE_VIRTUAL_MRPT_OBJECT(class_name)
 #endif
+
+/// MRPT's scene by name only, for headers: COpenGLScene is another name of Scene from 2.7.0 on.
+namespace mrpt::opengl {
+#if MRPT_VERSION >= WARDSLAM_MRPT_VERSION(2, 7, 0)
+class Scene;
+using COpenGLScene = Scene;
+#else
+class COpenGLScene;
+#endif
+}  // namespace mrpt::opengl
 
 namespace wardslam::core {
 

@@ -23,12 +23,12 @@ namespace wardslam::features {
 
 /// The descriptors of an image's key points, each read out of the class image only when somebody compares it: making
 /// this costs nothing, whatever n.
-class SemanticSignatures : public core::SignatureSource {
+class SemanticDescriptors : public core::SemanticDescriptorSource {
  public:
   /// `classIds`, `n`: as above. Keeps a reference to the image, which must not change any more.
-  SemanticSignatures(const cv::Mat& classIds, int n) : classIds_(classIds), n_(n) {}
+  SemanticDescriptors(const cv::Mat& classIds, int n) : classIds_(classIds), n_(n) {}
   /// The n² cells, row by row.
-  [[nodiscard]] core::Signature of(const core::Keypoint& keypoint) const override;
+  [[nodiscard]] core::SemanticDescriptor of(const core::Keypoint& keypoint) const override;
 
  private:
   cv::Mat classIds_;

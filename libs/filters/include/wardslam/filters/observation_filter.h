@@ -9,7 +9,7 @@
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/options.h"
 
-namespace wardslam::segmentation {
+namespace wardslam::masks {
 class AsyncSegmenter;
 }
 namespace wardslam::knowledge {
@@ -20,13 +20,14 @@ namespace wardslam::filters {
 
 /// What a filter may use besides its own parameters. Both pointers may be null; a filter that needs it says so.
 struct FilterContext {
-  std::shared_ptr<segmentation::AsyncSegmenter> segmenter;
+  std::shared_ptr<masks::AsyncSegmenter> segmenter;
   std::shared_ptr<const knowledge::KnowledgeGraph> knowledge;
   bool deterministic = false;  ///< The run must repeat exactly: nothing may depend on how long work takes.
 };
 
 /// A link of the chain between the sensor and the odometry. It looks at a frame and marks what must not be trusted:
-/// Keypoint::motion, and annotations on Frame::observation.
+/// Keypoint::motion, and pixels (core::addDynamic() and its neighbours), from which Frame::observation is annotated
+/// after the last link. What the links before it found, it reads there.
 ///
 /// Filters are made by class name through MRPT's run-time class registry, so that one may live in a plug-in library.
 class ObservationFilter : public mrpt::rtti::CObject {

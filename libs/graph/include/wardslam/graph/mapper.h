@@ -20,7 +20,7 @@ namespace wardslam::graph {
 /// seen again, the loop is closed over a pose graph and everything adjusted; submaps that meet are joined. Keyframes
 /// that show nothing new are given up again, so that the map grows with the area and not with the time spent in it.
 ///
-/// Plain and single-threaded; AsyncMapper runs one behind tracking.
+/// Plain and single-threaded; a core::Stage runs one behind tracking.
 class Mapper {
  public:
   Mapper(const GraphOptions& options, const odometry::OdometryOptions& odometry);

@@ -12,7 +12,7 @@ namespace wardslam::mrpt_plugin {
 inline constexpr const char* kSemanticSuffix = "_SEM";
 
 /// What the filters made of the frame. Images are shared, not copied. Stamp and label are those of Frame::observation
-/// (with kSemanticSuffix), whose annotation tells what is movable.
+/// (with kSemanticSuffix); Frame::labelBits tells what is movable.
 [[nodiscard]] std::shared_ptr<CObservationSemanticRGBD> toObservation(const core::Frame& frame,
                                                                       const core::LabelSpace& labels,
                                                                       int descriptorSide = 21);

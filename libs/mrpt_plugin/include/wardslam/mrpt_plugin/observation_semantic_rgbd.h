@@ -38,7 +38,7 @@ class CObservationSemanticRGBD : public mrpt::obs::CObservation, public mrpt::op
   std::map<core::ClassId, std::string> classes;  ///< Names of the classes that are in the image.
   cv::Mat labelBits;                             ///< CV_8UC1, bit i = core::PixelLabel i; may be empty.
 
-  core::Features features;            ///< Key points and ORB descriptors, without signatures.
+  core::Features features;            ///< Key points and ORB descriptors, without semantic ones.
   std::vector<KeypointState> states;  ///< One per key point.
   int descriptorSide = 21;            ///< n of the n×n semantic descriptors; odd.
 

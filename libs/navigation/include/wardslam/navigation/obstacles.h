@@ -46,7 +46,7 @@ struct SensedObstacles {
 /// observer, and answer CRobot2NavInterface::senseObstacles with it. Threads may see and sense at once.
 class Obstacles : public pipeline::FrameObserver {
  public:
-  /// Occupied cells of the plan are obstacles; close forbidden zones first (mapping::closeZones).
+  /// Occupied cells of the plan are obstacles; close forbidden zones first (query::closeZones).
   explicit Obstacles(const mapping::FloorPlan& plan, const ObstacleOptions& options = {});
 
   /// What a frame shows takes the place of what was seen before. Frames without a pose are left out.

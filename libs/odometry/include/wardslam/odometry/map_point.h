@@ -17,8 +17,8 @@ struct MapPoint {
   Eigen::Matrix3d information_per_m2 = Eigen::Matrix3d::Identity();  ///< Inverse covariance of p_map_m.
   Eigen::Vector3d viewedFrom_map_m = Eigen::Vector3d::Zero();        ///< Centre of the camera that described it.
   OrbDescriptor descriptor{};
-  core::Signature signature;  ///< Empty: none.
-  double scale = 1.0;         ///< Keypoint::scale it was seen with from there.
+  core::SemanticDescriptor semanticDescriptor;  ///< Empty: none.
+  double scale = 1.0;                           ///< Keypoint::scale it was seen with from there.
   std::uint64_t lastSeenFrame = 0;
   int timesVisible = 1;  ///< Images in which it should have been found.
   int timesFound = 1;    ///< Images in which it was.

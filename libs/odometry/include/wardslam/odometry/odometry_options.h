@@ -5,7 +5,7 @@ namespace wardslam::odometry {
 struct MatcherOptions {
   double max_descriptor_distance = 80;
   double max_ratio = 0.9;
-  double max_signature_difference = 1.0;
+  double max_semantic_difference = 1.0;
   double wide_radius_px = 15;
   double narrow_radius_px = 4;
 
@@ -14,7 +14,7 @@ struct MatcherOptions {
     visit("max_descriptor_distance", self.max_descriptor_distance, {1.0, 256.0}, "bit",
           "of 256 between ORB descriptors");
     visit("max_ratio", self.max_ratio, {0.1, 1.0}, "", "best distance over second best, for a match to be clear");
-    visit("max_signature_difference", self.max_signature_difference, {0.0, 1.0}, "",
+    visit("max_semantic_difference", self.max_semantic_difference, {0.0, 1.0}, "",
           "share of the cells around a key point (n x n of the filter) whose class may differ in a match; 0.25 is the "
           "paper's 110 of 441, 1 = not asked");
     visit("wide_radius_px", self.wide_radius_px, {1.0, 200.0}, "px", "search around the place predicted by motion");

@@ -35,7 +35,8 @@ class FrontEnd {
   void setDepthNoise(const core::DepthNoise& noise) { frameBuilder_.setDepthNoise(noise); }
 
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
-  /// core::InputError for what no later observation mends. Filters annotate the observation.
+  /// core::InputError for what no later observation mends. Annotates the observation with what the filters found,
+  /// unless SlamOptions::annotate forbids it.
   Result process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
 
   /// Takes over what the map found out.
@@ -52,8 +53,9 @@ class FrontEnd {
 
  private:
   MapFrameOptions mapFrame_;
+  bool annotates_;
   std::shared_ptr<const knowledge::KnowledgeGraph> knowledge_;
-  std::shared_ptr<segmentation::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
+  std::shared_ptr<masks::AsyncSegmenter> segmenter_;  ///< Null where nothing segments.
   core::LabelSpace labels_;
   sources::FrameBuilder frameBuilder_;
   features::OrbExtractor features_;

@@ -8,6 +8,7 @@
 #include "wardslam/filters/filter_chain.h"
 #include "wardslam/graph/graph_options.h"
 #include "wardslam/mapping/mapping_options.h"
+#include "wardslam/masks/contour_refinement.h"
 #include "wardslam/odometry/odometry_options.h"
 #include "wardslam/pipeline/start_pose.h"
 #include "wardslam/segmentation/segmenter_factory.h"
@@ -35,12 +36,24 @@ struct ZoneOptions {
   }
 };
 
+/// Section `segmentation:` of the configuration: where masks come from, and how their contours are mended.
+struct SegmentationSection : segmentation::SegmentationOptions {
+  masks::ContourRefinementOptions refinement;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    segmentation::SegmentationOptions::describe(self, visit);
+    masks::ContourRefinementOptions::describe(self.refinement, visit);
+  }
+};
+
 /// The whole configuration of a SlamSystem: one section per room.
 struct SlamOptions {
   bool deterministic = false;
+  bool annotate = true;
   sources::SourceSettings sources;
   features::OrbOptions features;
-  segmentation::SegmentationOptions segmentation;
+  SegmentationSection segmentation;
   KnowledgeOptions knowledge;
   ZoneOptions zones;
   core::ConfigNode filters = defaultFilters();  ///< List of {class_name, params}; see filters::FilterChain.
@@ -65,6 +78,8 @@ struct SlamOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("deterministic", self.deterministic, "same input, same bytes out; tracking then waits for adjustments");
+    visit("annotate", self.annotate,
+          "write what filters found into pixelLabels and confidenceImage of the observation");
     visit.group("sources", self.sources);
     visit.group("features", self.features);
     visit.group("segmentation", self.segmentation);

@@ -6,18 +6,23 @@
 #include <vector>
 
 #include "wardslam/core/label_space.h"
+#include "wardslam/core/mailbox.h"
 #include "wardslam/core/profiler.h"
+#include "wardslam/core/stage.h"
+#include "wardslam/graph/mapper.h"
+#include "wardslam/mapping/map_builder.h"
 #include "wardslam/mapping/zones.h"
 #include "wardslam/odometry/odometry.h"
 #include "wardslam/pipeline/earlier_map.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/front_end.h"
-#include "wardslam/pipeline/map_keeper.h"
-#include "wardslam/pipeline/scene_keeper.h"
 #include "wardslam/pipeline/slam_options.h"
 #include "wardslam/pipeline/trajectory_recorder.h"
+#include "wardslam/storage/map_file_writer.h"
 
 namespace wardslam::pipeline {
+
+class MapFeed;
 
 /// From observations to the camera's pose among moving people: the main loop.
 ///
@@ -28,13 +33,14 @@ class SlamSystem {
   /// Throws core::InputError when a file the options name is missing or wrong, or when the class names of the earlier
   /// map contradict those in use.
   explicit SlamSystem(const SlamOptions& options, const EarlierMap& earlier = {});
+  ~SlamSystem();  ///< Without finish(), what still waits to be worked into the map is dropped.
 
   /// How sure the depth of the observations to come is (sources::ObservationSource::depthNoise); a Kinect's unless
   /// told.
   void setDepthNoise(const core::DepthNoise& noise) { frontEnd_.setDepthNoise(noise); }
 
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
-  /// core::InputError for what no later observation mends. Filters annotate the observation.
+  /// core::InputError for what no later observation mends. Annotates the observation.
   odometry::OdometryResult process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
 
   /// After the last observation: waits for what is still being worked into the map.
@@ -47,13 +53,23 @@ class SlamSystem {
   [[nodiscard]] core::Trajectory trajectory() const;
 
   /// Keyframes, points and loops. After finish().
-  [[nodiscard]] const graph::Mapper& map() const { return *finishedMap_; }
+  [[nodiscard]] const graph::Mapper& mapper() const { return *mapper_; }
 
   /// Coloured cloud and objects (P8-P10). After finish(); empty when `mapping.enabled` is false.
   [[nodiscard]] mapping::SemanticMap semanticMap() const;
 
-  /// The work on the semantic map; null when `mapping.enabled` is false.
-  [[nodiscard]] SceneKeeper* scene() const { return scene_.get(); }
+  /// What semanticMap() is built by. After finish(); null when `mapping.enabled` is false.
+  [[nodiscard]] mapping::MapBuilder* mapBuilder() const { return mapBuilder_.get(); }
+
+  /// Whether there will be a semantic map (`mapping.enabled`).
+  [[nodiscard]] bool buildsSemanticMap() const { return mapFeed_ != nullptr; }
+
+  /// Before the first frame: has every keyframe written into a map file when it is worked in. Without effect when
+  /// `mapping.enabled` is false. The writer must outlive this object.
+  void writeTo(storage::MapFileWriter& writer);
+
+  /// Frames that came faster than they could be worked into the semantic map and were left out of it.
+  [[nodiscard]] std::size_t viewsLeftOut() const { return mapBuilding_ ? mapBuilding_->leftOut() : 0; }
 
   /// Time of the first image from which on the earlier map was recognised. Nothing: it was not, or there is none.
   [[nodiscard]] std::optional<double> recognisedAt_s() const { return recognisedAt_s_; }
@@ -69,16 +85,22 @@ class SlamSystem {
   [[nodiscard]] const core::Profiler& profiler() const { return frontEnd_.profiler(); }
 
  private:
+  void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
+
   SlamOptions options_;
   FrontEnd frontEnd_;
   mapping::Zones zones_;
-  MapKeeper map_;
-  const graph::Mapper* finishedMap_ = nullptr;
   bool hasEarlierMap_ = false;
   std::optional<double> recognisedAt_s_;
   TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;
-  std::unique_ptr<SceneKeeper> scene_;
+
+  core::Mailbox<odometry::MapUpdate> mapUpdates_;  ///< By the stage that follows.
+  core::Stage<graph::Mapper> graphBuilding_;
+  std::unique_ptr<core::Stage<mapping::MapBuilder>> mapBuilding_;  ///< Null where there is no semantic map.
+  std::unique_ptr<MapFeed> mapFeed_;                               ///< Null where there is no semantic map.
+  std::unique_ptr<graph::Mapper> mapper_;                          ///< Once its stage is finished.
+  std::unique_ptr<mapping::MapBuilder> mapBuilder_;                ///< Once its stage is finished.
 };
 
 }  // namespace wardslam::pipeline

@@ -2,10 +2,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "wardslam/segmentation/contour_refiner.h"
 #include "wardslam/segmentation/mask_rcnn_segmenter.h"
 #include "wardslam/segmentation/network.h"
 #include "wardslam/segmentation/recorded_masks.h"
@@ -18,7 +16,6 @@ namespace wardslam::segmentation {
 /// Section `segmentation:` of the configuration.
 struct SegmentationOptions {
   enum class Type : std::uint8_t { None, RecordedMasks, Yolo, MaskRcnn, Semantic };
-  enum class Refine : std::uint8_t { Never, Networks, Always };
 
   Type type = Type::None;
   std::string classes;
@@ -27,8 +24,6 @@ struct SegmentationOptions {
   YoloOptions yolo;
   MaskRcnnOptions mask_rcnn;
   SemanticOptions semantic;
-  Refine refine_contours = Refine::Networks;
-  ContourOptions contours;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit);
@@ -36,10 +31,6 @@ struct SegmentationOptions {
 
 /// Null for Type::None. Throws core::InputError.
 [[nodiscard]] std::unique_ptr<Segmenter> makeSegmenter(const SegmentationOptions& options);
-
-/// For things of the classes given (bit i stands for class i); none where masks are to be used as they come.
-[[nodiscard]] std::optional<ContourRefiner> makeContourRefiner(const SegmentationOptions& options,
-                                                               const ContourRefiner::ClassSet& classes);
 
 template <class Self, class Visitor>
 void SegmentationOptions::describe(Self& self, Visitor& visit) {
@@ -52,10 +43,6 @@ void SegmentationOptions::describe(Self& self, Visitor& visit) {
   visit.group("yolo", self.yolo);
   visit.group("mask_rcnn", self.mask_rcnn);
   visit.group("semantic", self.semantic);
-  visit(
-      "refine_contours", self.refine_contours, {"never", "networks", "always"},
-      "whose masks of moving things are moved to the edges in the depth image; recorded masks may be better than that");
-  visit.group("contours", self.contours);
 }
 
 }  // namespace wardslam::segmentation

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace wardslam::core {
+
+/// Where a stage does its work.
+enum class StageThread {
+  Caller,  ///< At once, in the thread that posts: same input, same results.
+  Own,     ///< Behind, in a thread that gives way to others (lowerThreadPriority).
+};
+
+/// What happens to a task when too much waits.
+enum class Necessity {
+  Required,   ///< It is done; whoever posts it waits for room.
+  Preferred,  ///< It may be left out, after all that are optional.
+  Optional,   ///< It is left out first, the oldest before others.
+};
+
+/// How many tasks may wait.
+struct StageCapacity {
+  std::size_t required = 64;     ///< At least 1.
+  std::size_t dispensable = 12;  ///< Preferred and optional ones together; 0: these are always left out.
+};
+
+/// The part of a Stage that does not depend on its worker; what its functions do is said there. For one calling
+/// thread.
+class StageQueue {
+ public:
+  /// Throws std::invalid_argument when no required task could ever wait.
+  StageQueue(StageThread thread, const StageCapacity& capacity);
+  ~StageQueue();
+  StageQueue(const StageQueue&) = delete;
+  StageQueue& operator=(const StageQueue&) = delete;
+
+  void post(std::function<void()> task, Necessity necessity);
+  void rethrowFailure() const;
+  void finish();
+  [[nodiscard]] std::size_t leftOut() const;
+  [[nodiscard]] const std::atomic<bool>& isWaitedFor() const { return isWaitedFor_; }
+
+ private:
+  struct Waiting {
+    std::function<void()> task;
+    Necessity necessity;
+  };
+
+  void enqueue(Waiting waiting);
+  void leaveOneOut();
+  void run();
+  [[nodiscard]] std::function<void()> takeNext();
+  [[nodiscard]] std::size_t& countOf(Necessity necessity);
+
+  StageCapacity capacity_;
+  bool isFinished_ = false;  ///< Of the calling thread alone.
+  std::atomic<bool> isWaitedFor_{false};
+
+  mutable std::mutex mutex_;  // of what follows
+  std::condition_variable changed_;
+  std::deque<Waiting> waiting_;
+  std::size_t requiredWaiting_ = 0;
+  std::size_t dispensableWaiting_ = 0;
+  std::size_t leftOut_ = 0;
+  std::exception_ptr failure_;
+  bool stopping_ = false;
+  std::thread thread_;  ///< None where the calling thread works.
+};
+
+}  // namespace wardslam::core

@@ -1,0 +1,119 @@
+#include "wardslam/core/stage_queue.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "wardslam/core/thread_priority.h"
+
+namespace wardslam::core {
+
+StageQueue::StageQueue(StageThread thread, const StageCapacity& capacity) : capacity_(capacity) {
+  if (capacity.required == 0)
+    throw std::invalid_argument("a stage without room for required tasks would wait for ever");
+  if (thread == StageThread::Own) thread_ = std::thread([this] { run(); });
+}
+
+StageQueue::~StageQueue() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    waiting_.clear();
+    isWaitedFor_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void StageQueue::post(std::function<void()> task, Necessity necessity) {
+  if (isFinished_) throw std::logic_error("a task was posted to a stage that is finished");
+  if (thread_.joinable()) {
+    enqueue({std::move(task), necessity});
+  } else {
+    task();
+  }
+}
+
+void StageQueue::rethrowFailure() const {
+  const std::lock_guard lock(mutex_);
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void StageQueue::finish() {
+  isFinished_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+  rethrowFailure();
+}
+
+std::size_t StageQueue::leftOut() const {
+  const std::lock_guard lock(mutex_);
+  return leftOut_;
+}
+
+void StageQueue::enqueue(Waiting waiting) {
+  {
+    std::unique_lock lock(mutex_);
+    if (waiting.necessity == Necessity::Required) {
+      changed_.wait(lock, [this] { return failure_ || requiredWaiting_ < capacity_.required; });
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    ++countOf(waiting.necessity);
+    waiting_.push_back(std::move(waiting));
+    if (dispensableWaiting_ > capacity_.dispensable) leaveOneOut();
+    isWaitedFor_ = !waiting_.empty();
+  }
+  changed_.notify_all();
+}
+
+void StageQueue::leaveOneOut() {
+  const auto oldest = [this](Necessity necessity) {
+    return std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.necessity == necessity; });
+  };
+  auto least = oldest(Necessity::Optional);
+  if (least == waiting_.end()) least = oldest(Necessity::Preferred);
+  waiting_.erase(least);
+  --dispensableWaiting_;
+  ++leftOut_;
+}
+
+void StageQueue::run() {
+  lowerThreadPriority();
+  while (const auto task = takeNext()) {
+    try {
+      task();
+    } catch (...) {
+      {
+        const std::lock_guard lock(mutex_);
+        failure_ = std::current_exception();
+      }
+      changed_.notify_all();
+      return;
+    }
+  }
+}
+
+std::function<void()> StageQueue::takeNext() {
+  std::function<void()> task;
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
+    if (waiting_.empty()) return {};
+    --countOf(waiting_.front().necessity);
+    task = std::move(waiting_.front().task);
+    waiting_.pop_front();
+    isWaitedFor_ = !waiting_.empty();
+  }
+  changed_.notify_all();
+  return task;
+}
+
+std::size_t& StageQueue::countOf(Necessity necessity) {
+  return necessity == Necessity::Required ? requiredWaiting_ : dispensableWaiting_;
+}
+
+}  // namespace wardslam::core

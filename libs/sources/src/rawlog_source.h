@@ -1,0 +1,67 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "stereo_depth.h"
+#include "wardslam/sources/observation_source.h"
+#include "wardslam/sources/rgbd_camera.h"
+
+namespace mrpt::obs {
+class CObservation;
+}
+
+namespace wardslam::sources {
+
+class DamageLog;
+class RawlogReader;
+
+/// The CObservation3DRangeScan of an MRPT rawlog (gz-compressed or not; a list of observations or of sensory frames),
+/// read as a stream. A CObservationStereoImages becomes a scan (StereoDepth). Observations of other classes are passed
+/// over, and so are those of other sensors than that of the first that has both images.
+///
+/// A rawlog that ends in the middle of an object delivers everything before and then counts
+/// "sources.rawlog_truncated"; reading also ends at an object of a class that RawlogReader does not know.
+class RawlogSource : public ObservationSource {
+ public:
+  /// Reads up to the first usable scan. Throws core::InputError where there is none or the file is no rawlog.
+  RawlogSource(const std::filesystem::path& file, const SourceOptions& options);
+  ~RawlogSource() override;
+
+  [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() override;
+  [[nodiscard]] std::optional<std::size_t> size() const override { return std::nullopt; }
+  [[nodiscard]] const core::EventCounts& damage() const override;
+  [[nodiscard]] core::DepthNoise depthNoise() const override { return depthNoise_; }
+
+ private:
+  using ScanPtr = std::shared_ptr<mrpt::obs::CObservation3DRangeScan>;
+  using ObservationPtr = std::shared_ptr<mrpt::obs::CObservation>;
+
+  [[nodiscard]] ScanPtr readScan();
+  [[nodiscard]] bool fillPending();
+  [[nodiscard]] ScanPtr takeIfUsable(const ObservationPtr& observation);
+  [[nodiscard]] ScanPtr prepare(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& scan) const;
+  [[nodiscard]] ScanPtr prepare(const mrpt::obs::CObservationStereoImages& pair);
+  [[noreturn]] void failWithoutScans() const;
+
+  std::filesystem::path file_;
+  std::optional<RgbdCamera> camera_;  ///< Replaces that of the scans.
+  std::unique_ptr<RawlogReader> reader_;
+  std::unique_ptr<DamageLog> damage_;
+
+  StereoDepth stereo_;
+  core::DepthNoise depthNoise_;  ///< Of the first observation's sensor.
+
+  std::deque<ObservationPtr> pending_;  ///< From the sensory frame read last.
+  ScanPtr first_;                       ///< Read when opening, delivered by the first next().
+  std::optional<std::string> label_;
+  std::set<std::string> passedOver_;  ///< Classes met that are no scans with both images.
+  std::string firstDamage_;           ///< What the first observation that could not be used suffers from.
+  std::size_t scansRead_ = 0;
+};
+
+}  // namespace wardslam::sources
