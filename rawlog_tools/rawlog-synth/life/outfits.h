@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <opencv2/core.hpp>
+
+#include "life/figure.h"
+
+namespace wardslam::synth {
+
+enum class Role { Nurse, Doctor, Porter, Visitor, Patient };
+
+/// Textures of clothes beyond those of Material's enumerators: numbered from here on.
+[[nodiscard]] Material lifeOutfit(std::size_t number);
+
+/// How many of them there are.
+[[nodiscard]] std::size_t lifeOutfitCount();
+
+/// Paints them (CV_8UC3, BGR, 384 × 384) into `textures`. The same seed paints the same bytes.
+void paintLifeOutfits(std::map<Material, cv::Mat>& textures, std::uint32_t seed);
+
+/// Somebody of that role: height, girth, hair and clothes by chance.
+[[nodiscard]] Look randomLook(Role role, cv::RNG& rng);
+
+}  // namespace wardslam::synth
