@@ -187,7 +187,17 @@ ClosedRoute FloorPath::floorRoute() {
 
 Eigen::Isometry3d FloorPath::T_world_cam(double t_s) const {
   const auto place = route.at(t_s / round_s * route.length_m());
-  return drivenCamera({place.p_m, place.heading_rad, 0.13}, t_s / round_s);
+  return drivenCamera({place.p_m, place.heading_rad, 0.13, mount}, t_s / round_s);
+}
+
+Setting floorSetting(const PlaceOptions& options, const CameraMount& mount) {
+  FloorPath path;
+  path.mount = mount;
+  Setting setting;
+  setting.scene = buildFloor(options.scene);
+  setting.T_world_cam = [path](double t_s) { return path.T_world_cam(t_s); };
+  setting.duration_s = path.round_s;
+  return setting;
 }
 
 PeopleWays floorWays() {

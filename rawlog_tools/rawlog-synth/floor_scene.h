@@ -4,7 +4,7 @@
 
 #include "closed_route.h"
 #include "people.h"
-#include "scene_builder.h"
+#include "place.h"
 
 /// A floor of a hospital: two rooms beside each other with a door between them, and a corridor along both.
 namespace wardslam::synth {
@@ -16,10 +16,14 @@ namespace wardslam::synth {
 struct FloorPath {
   double round_s = 60.0;
   ClosedRoute route = floorRoute();
+  CameraMount mount = {};
 
   [[nodiscard]] Eigen::Isometry3d T_world_cam(double t_s) const;
   [[nodiscard]] static ClosedRoute floorRoute();
 };
+
+/// One round of it.
+[[nodiscard]] Setting floorSetting(const PlaceOptions& options, const CameraMount& mount);
 
 /// Everybody repeats their round with the camera's.
 [[nodiscard]] PeopleWays floorWays();

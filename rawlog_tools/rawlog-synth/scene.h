@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <opencv2/core.hpp>
@@ -31,6 +32,7 @@ struct Label {
 struct Thing {
   Label label;
   Surfaces surfaces;
+  int cell = 0;  ///< Part of the building (a room, say) it stands in; see Scene::mayBeSeen.
 };
 
 /// Something that moves at times.
@@ -57,6 +59,9 @@ struct Scene {
   std::map<Material, cv::Mat> textures;
   std::vector<Thing> things;
   std::vector<std::unique_ptr<Actor>> actors;
+  /// Whether anything of that cell may be seen by a camera there (through open doors, say); what may not is not drawn.
+  /// A hint that saves time: it may err towards "yes" only. Empty: everything may be seen.
+  std::function<bool(int cell, const Eigen::Isometry3d& T_world_cam)> mayBeSeen;
 };
 
 }  // namespace wardslam::synth

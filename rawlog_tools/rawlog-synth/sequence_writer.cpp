@@ -199,13 +199,15 @@ void SequenceWriter::write(const SequenceFrame& frame) {
   writePng(folder / "dynamic" / name, frame.dynamic);
 }
 
-void SequenceWriter::finish(const std::vector<StaticObject>& objects, const mapping::FloorPlan& floor) {
+void SequenceWriter::finish(const std::vector<StaticObject>& objects, const mapping::FloorPlan& floor,
+                            const std::function<void(const fs::path&)>& writeMore) {
   const fs::path folder = partial(impl_->labelled);
   core::writeFileAtomically(folder / "classes.txt", classesText(impl_->labels));
   core::writeFileAtomically(folder / "objects.csv", objectsText(objects));
   mapping::SemanticMap map;
   map.floorPlan = floor;
   storage::exportRosMap(map, folder / "floor.yaml");
+  writeMore(folder);
   impl_->groundTruth.finish();
   giveName(folder / kGroundTruth, groundTruthFile(impl_->rawlog));
   std::error_code error;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -55,7 +56,9 @@ class SequenceWriter {
 
   /// Throws core::InputError when the disk does not take it.
   void write(const SequenceFrame& frame);
-  void finish(const std::vector<StaticObject>& objects, const mapping::FloorPlan& floor);
+  /// `writeMore` puts more truth into the folder of labels that it gets.
+  void finish(const std::vector<StaticObject>& objects, const mapping::FloorPlan& floor,
+              const std::function<void(const std::filesystem::path&)>& writeMore);
 
  private:
   struct Impl;

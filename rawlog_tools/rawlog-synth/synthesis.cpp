@@ -5,31 +5,11 @@
 #include <future>
 #include <vector>
 
-#include "camera_path.h"
-#include "floor_scene.h"
-#include "floor_truth.h"
 #include "renderer.h"
 #include "sequence_writer.h"
-#include "ward_scene.h"
 
 namespace wardslam::synth {
 namespace {
-
-/// A scene and the camera's way through it.
-struct Setting {
-  Scene scene;
-  std::function<Eigen::Isometry3d(double)> T_world_cam;
-};
-
-Setting makeSetting(const SynthesisOptions& options) {
-  if (options.place == Place::Floor)
-    return {buildFloor(options.scene), [path = FloorPath()](double t_s) { return path.T_world_cam(t_s); }};
-  return {buildWard(options.scene), [path = CameraPath()](double t_s) { return path.T_world_cam(t_s); }};
-}
-
-double durationOf_s(const SynthesisOptions& options) {
-  return options.seconds.value_or(options.place == Place::Floor ? FloorPath().round_s : 20.0);
-}
 
 std::vector<Label> allLabels(const Scene& scene) {
   std::vector<Label> labels;
@@ -77,17 +57,22 @@ double timeOf(std::size_t frame, double rate_hz) {
   return std::round(static_cast<double>(frame) / rate_hz * 1e6) / 1e6;
 }
 
+std::size_t frameCount(double seconds, double rate_hz) {
+  return static_cast<std::size_t>(std::max(1.0, std::round(seconds * rate_hz)));
+}
+
 SequenceFrame record(const Rendering& rendering, const cv::Mat& right_bgr, const Setting& setting,
                      const SynthesisOptions& options, std::size_t index) {
-  const double t_s = timeOf(index, options.rate_hz);
+  const double t_s = timeOf(index, options.camera.rate_hz);
   SequenceFrame frame;
   frame.stamp_s = kFirstStamp_s + t_s;
-  frame.color_bgr = exposeColor(rendering.color_bgr, options.sensor, noiseSeed(options.scene.seed, index, 0));
-  const std::uint64_t secondSeed = noiseSeed(options.scene.seed, index, 1);
-  if (options.stereoBaseline_m) {
-    frame.right_bgr = exposeColor(right_bgr, options.sensor, secondSeed);
+  frame.color_bgr =
+      exposeColor(rendering.color_bgr, options.sensor.kinect, noiseSeed(options.place.scene.seed, index, 0));
+  const std::uint64_t secondSeed = noiseSeed(options.place.scene.seed, index, 1);
+  if (options.camera.stereoBaseline_m) {
+    frame.right_bgr = exposeColor(right_bgr, options.sensor.kinect, secondSeed);
   } else {
-    frame.depth_m = measureDepth(rendering.depth_m, options.sensor, secondSeed);
+    frame.depth_m = measureDepth(rendering.depth_m, options.sensor.kinect, secondSeed);
   }
   frame.instanceIds = rendering.instanceIds;
   frame.dynamic = dynamicMask(rendering.instanceIds, setting.scene, t_s);
@@ -98,39 +83,24 @@ SequenceFrame record(const Rendering& rendering, const cv::Mat& right_bgr, const
 /// What the right camera of a stereo camera sees; empty where there is none.
 cv::Mat renderRight(Renderer& renderer, const SynthesisOptions& options, double t_s,
                     const Eigen::Isometry3d& T_world_cam) {
-  if (!options.stereoBaseline_m) return {};
-  const Eigen::Translation3d toTheRight(*options.stereoBaseline_m, 0, 0);
+  if (!options.camera.stereoBaseline_m) return {};
+  const Eigen::Translation3d toTheRight(*options.camera.stereoBaseline_m, 0, 0);
   return renderer.render(t_s, T_world_cam * toTheRight).color_bgr;
 }
 
 }  // namespace
 
-core::CameraModel cameraFor(int width_px, int height_px) {
-  core::CameraModel camera;
-  camera.width_px = width_px;
-  camera.height_px = height_px;
-  camera.fx_px = camera.fy_px = 525.0 * width_px / 640.0;
-  camera.cx_px = (width_px - 1) / 2.0;
-  camera.cy_px = (height_px - 1) / 2.0;
-  return camera;
-}
-
-std::size_t frameCount(const SynthesisOptions& options) {
-  return static_cast<std::size_t>(std::max(1.0, std::round(durationOf_s(options) * options.rate_hz)));
-}
-
-std::size_t synthesise(const std::filesystem::path& rawlog, const SynthesisOptions& options,
-                       const std::function<bool(std::size_t)>& goOn) {
-  const core::CameraModel camera = cameraFor(options.width_px, options.height_px);
-  const Setting setting = makeSetting(options);
+std::size_t synthesise(const SynthesisOptions& options, const std::function<bool(std::size_t, std::size_t)>& goOn) {
+  const core::CameraModel camera = cameraFor(options.camera.width_px, options.camera.height_px);
+  const Setting setting = buildPlace(options.place, options.camera.mount);
   Renderer renderer(setting.scene, camera);
-  SequenceWriter writer(rawlog, {camera, options.stereoBaseline_m}, allLabels(setting.scene));
+  SequenceWriter writer(options.output.file, {camera, options.camera.stereoBaseline_m}, allLabels(setting.scene));
 
-  const std::size_t total = frameCount(options);
+  const std::size_t total = frameCount(options.output.seconds.value_or(setting.duration_s), options.camera.rate_hz);
   std::size_t done = 0;
   std::future<void> recording;  // of the frame before, while the next one is rendered
   while (done < total) {
-    const double t_s = timeOf(done, options.rate_hz);
+    const double t_s = timeOf(done, options.camera.rate_hz);
     const Eigen::Isometry3d T_world_cam = setting.T_world_cam(t_s);
     const Rendering rendering = renderer.render(t_s, T_world_cam);
     const cv::Mat right_bgr = renderRight(renderer, options, t_s, T_world_cam);
@@ -138,11 +108,14 @@ std::size_t synthesise(const std::filesystem::path& rawlog, const SynthesisOptio
     recording = std::async(std::launch::async, [&, rendering, right_bgr, done] {
       writer.write(record(rendering, right_bgr, setting, options, done));
     });
-    if (!goOn(++done)) break;
+    if (!goOn(++done, total)) break;
   }
   recording.get();
-  const double seconds = static_cast<double>(done) / options.rate_hz;
-  writer.finish(staticObjects(setting.scene, seconds), trueFloor(setting.scene, seconds));
+  const double seconds = static_cast<double>(done) / options.camera.rate_hz;
+  writer.finish(staticObjects(setting.scene, seconds), setting.floorPlan(setting.scene, seconds),
+                [&](const std::filesystem::path& folder) {
+                  if (setting.writeFurtherTruth) setting.writeFurtherTruth(folder, seconds);
+                });
   return done;
 }
 

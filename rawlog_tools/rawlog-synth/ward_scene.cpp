@@ -3,6 +3,7 @@
 #include <array>
 
 #include "actors.h"
+#include "camera_path.h"
 #include "furniture.h"
 #include "people.h"
 #include "ward_people.h"
@@ -83,6 +84,16 @@ Scene buildWard(const SceneOptions& options) {
   addPictures(ward);
   addTrolleyAndPeople(ward, options.people);
   return ward.take();
+}
+
+Setting wardSetting(const PlaceOptions& options, const CameraMount& mount) {
+  CameraPath path;
+  path.mount = mount;
+  Setting setting;
+  setting.scene = buildWard(options.scene);
+  setting.T_world_cam = [path](double t_s) { return path.T_world_cam(t_s); };
+  setting.duration_s = 20.0;
+  return setting;
 }
 
 }  // namespace wardslam::synth

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene_builder.h"
+#include "place.h"
 
 namespace wardslam::synth {
 
@@ -8,6 +8,9 @@ namespace wardslam::synth {
 /// who passes close by, a porter who brings a trolley and leaves it standing, a visitor. Without people the trolley
 /// stands where they would have left it.
 [[nodiscard]] Scene buildWard(const SceneOptions& options);
+
+/// 20 s of it, driven through along a CameraPath.
+[[nodiscard]] Setting wardSetting(const PlaceOptions& options, const CameraMount& mount);
 
 /// When the porter lets go of the trolley.
 constexpr double kTrolleyLeft_s = 5.8;

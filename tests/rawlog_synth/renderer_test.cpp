@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "camera_options.h"
 #include "camera_path.h"
-#include "synthesis.h"
 #include "ward_scene.h"
 #include "wardslam/core/mrpt_compat.h"
 

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "camera_mount.h"
+#include "floor_truth.h"
+#include "scene_builder.h"
+
+namespace wardslam::synth {
+
+/// Which place is rendered, and what it holds.
+struct PlaceOptions {
+  std::string name = "ward";  ///< One of places().
+  SceneOptions scene;
+};
+
+/// A place ready to be recorded. World frame: x and y along the walls, z up, floor at z = 0.
+struct Setting {
+  Scene scene;
+  /// Optical frame of the camera (x right, y down, z forward), `t_s` after the start. Smooth in time.
+  std::function<Eigen::Isometry3d(double t_s)> T_world_cam;
+  double duration_s = 20.0;  ///< Unless the user asks for another.
+  /// The true floor plan of what stands at `until_s`.
+  std::function<mapping::FloorPlan(const Scene& scene, double until_s)> floorPlan = trueFloor;
+  /// Writes what else is known of the place into the folder of labels, where there is more. Empty: nothing.
+  std::function<void(const std::filesystem::path& labelsFolder, double until_s)> writeFurtherTruth;
+};
+
+struct Place {
+  std::string name;
+  std::string description;
+  Setting (*build)(const PlaceOptions& options, const CameraMount& mount);
+};
+
+/// All places there are; a new one is one line here.
+[[nodiscard]] const std::vector<Place>& places();
+
+/// Throws core::InputError when there is no such place.
+[[nodiscard]] Setting buildPlace(const PlaceOptions& options, const CameraMount& mount);
+
+}  // namespace wardslam::synth
