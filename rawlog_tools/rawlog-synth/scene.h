@@ -35,6 +35,13 @@ struct Thing {
   int cell = 0;  ///< Part of the building (a room, say) it stands in; see Scene::mayBeSeen.
 };
 
+/// From when to when something stood where.
+struct RestInterval {
+  double from_s = 0.0;
+  double until_s = 0.0;          ///< Infinite where it stays for good.
+  Eigen::AlignedBox3f bounds_m;  ///< World frame.
+};
+
 /// Something that moves at times.
 class Actor {
  public:
@@ -49,6 +56,11 @@ class Actor {
   [[nodiscard]] virtual bool isMovingAt(double t_s) const = 0;
   /// When it comes to rest for good; infinity if never.
   [[nodiscard]] virtual double atRestFrom_s() const = 0;
+
+  /// A box around it at that time, cheaper than its surfaces and maybe larger; world frame.
+  [[nodiscard]] virtual Eigen::AlignedBox3f boundsAt(double t_s) const;
+  /// When and where it rests until `t_s`, in order: what a map may hold of it. A person never rests.
+  [[nodiscard]] virtual std::vector<RestInterval> restsUntil(double t_s) const;
 
  private:
   Label label_;

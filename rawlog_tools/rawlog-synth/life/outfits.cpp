@@ -66,24 +66,23 @@ Material lifeOutfit(std::size_t number) { return static_cast<Material>(kFirstMat
 
 std::size_t lifeOutfitCount() { return kPeoplePerSuit * suits().size(); }
 
-void paintLifeOutfits(std::map<Material, cv::Mat>& textures, std::uint32_t seed) {
-  for (std::size_t i = 0; i < lifeOutfitCount(); ++i) {
-    cv::RNG rng((static_cast<std::uint64_t>(seed) << 32U) + kFirstMaterial + i);
-    const Suit& suit = suits()[i / kPeoplePerSuit];
-    const auto pick = [&](const auto& choices) {
-      return choices[static_cast<std::size_t>(rng.uniform(0, static_cast<int>(std::size(choices))))];
-    };
-    OutfitColours colours;
-    colours.pattern = suit.pattern;
-    colours.shirt = suit.shirt;
-    colours.trousers = suit.trousers;
-    colours.shoes = rng.uniform(0, 2) == 0 ? kWhite : kBlack;
-    colours.skin = pick(kSkins);
-    colours.hair = pick(kHairs);
-    cv::Mat small;
-    cv::resize(paintOutfit(colours, rng), small, {kTexture_px, kTexture_px}, 0, 0, cv::INTER_AREA);
-    textures[lifeOutfit(i)] = small;
-  }
+cv::Mat paintLifeOutfit(Material outfit, std::uint32_t seed) {
+  const auto number = static_cast<std::size_t>(static_cast<int>(outfit) - kFirstMaterial);
+  cv::RNG rng((static_cast<std::uint64_t>(seed) << 32U) + kFirstMaterial + number);
+  const Suit& suit = suits()[number / kPeoplePerSuit];
+  const auto pick = [&](const auto& choices) {
+    return choices[static_cast<std::size_t>(rng.uniform(0, static_cast<int>(std::size(choices))))];
+  };
+  OutfitColours colours;
+  colours.pattern = suit.pattern;
+  colours.shirt = suit.shirt;
+  colours.trousers = suit.trousers;
+  colours.shoes = rng.uniform(0, 2) == 0 ? kWhite : kBlack;
+  colours.skin = pick(kSkins);
+  colours.hair = pick(kHairs);
+  cv::Mat small;
+  cv::resize(paintOutfit(colours, rng), small, {kTexture_px, kTexture_px}, 0, 0, cv::INTER_AREA);
+  return small;
 }
 
 Look randomLook(Role role, cv::RNG& rng) {

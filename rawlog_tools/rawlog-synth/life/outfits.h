@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <opencv2/core.hpp>
 
 #include "life/figure.h"
@@ -16,8 +15,8 @@ enum class Role { Nurse, Doctor, Porter, Visitor, Patient };
 /// How many of them there are.
 [[nodiscard]] std::size_t lifeOutfitCount();
 
-/// Paints them (CV_8UC3, BGR, 384 × 384) into `textures`. The same seed paints the same bytes.
-void paintLifeOutfits(std::map<Material, cv::Mat>& textures, std::uint32_t seed);
+/// Paints one of them: CV_8UC3, BGR, 384 × 384. The same seed paints the same bytes.
+[[nodiscard]] cv::Mat paintLifeOutfit(Material outfit, std::uint32_t seed);
 
 /// Somebody of that role: height, girth, hair and clothes by chance.
 [[nodiscard]] Look randomLook(Role role, cv::RNG& rng);
