@@ -45,7 +45,7 @@ void setSteps(Member& member, std::vector<Step> steps) {
 }
 
 std::size_t startNode(const SocietyWorld& world, const Vector2d& p_m) {
-  for (const double halfWidth_m : {0.2, 0.05}) {
+  for (const double halfWidth_m : {0.3, 0.2, 0.1, 0.05}) {
     const std::size_t node = reachableNode(world, p_m, halfWidth_m);
     if (node != kNobody) return node;
   }
@@ -152,6 +152,26 @@ bool moveSomething(const SocietyWorld& world, SocietyState& state, std::size_t w
   return true;
 }
 
+/// With something in hand that cannot stay here: on to another place.
+void moveOn(const SocietyWorld& world, SocietyState& state, std::size_t who) {
+  Member& member = state.members[who];
+  const Portable& portable = world.portables[member.holds];
+  const ThingState& thing = state.things[member.holds];
+  const double halfWidth_m = portable.carried ? 0.3 : portable.width_m / 2;
+  const std::size_t from = startNode(world, thing.p_m + portable.pivotX_m * directionOf(thing.heading_rad));
+  for (int attempt = 0; attempt < 30 && !world.places.empty(); ++attempt) {
+    const RestingPlace& place = world.places[pick(member.dice, world.places.size())];
+    if (place.kind != RestingPlace::Kind::Parking || !isFreeOfThings(state, place.p_m)) continue;
+    Step push = with(Kind::Walk);
+    push.exact = false;
+    push.path_m = pathBetween(world, from, place.wayNode, halfWidth_m);
+    if (push.path_m.empty()) continue;
+    push.path_m.push_back(place.p_m);
+    return setSteps(member, {wait(1.0), push, with(Kind::Release, member.holds), wait(1.0)});
+  }
+  setSteps(member, {wait(2.0)});
+}
+
 void walkSomewhere(const SocietyWorld& world, SocietyState& state, std::size_t who, double t_s) {
   Member& member = state.members[who];
   const auto& nodes = world.ways.graph().nodes_m;
@@ -187,6 +207,7 @@ void takeErrand(const SocietyWorld& world, SocietyState& state, std::size_t who,
   for (std::size_t& holder : state.placeTaken) {
     if (holder == who) holder = kNobody;  // of an errand given up
   }
+  if (state.members[who].holds != kNobody) return moveOn(world, state, who);
   const double what = rollDice(state.members[who].dice);
   bool done = false;
   if (what < 0.16) {

@@ -59,8 +59,9 @@ struct Step {
 
 struct Member {
   BodyState body;
-  std::vector<Step> steps;  ///< In reverse: the next one is at the back.
-  std::size_t onPath = 0;   ///< Next corner of the path being walked.
+  std::vector<Step> steps;                              ///< In reverse: the next one is at the back.
+  std::size_t onPath = 0;                               ///< Next corner of the path being walked.
+  Eigen::Vector2d legFrom_m = Eigen::Vector2d::Zero();  ///< From there to that corner the way is known to be free.
   double speed_mps = 0.0;
   double walks_mps = 1.1;  ///< Pace where nobody is in the way.
   double stride_m = 1.36;

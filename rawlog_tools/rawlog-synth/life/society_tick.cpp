@@ -38,7 +38,8 @@ class Turn {
     const bool walks = current().kind == Step::Kind::Walk || current().kind == Step::Kind::Escort;
     if (walks) proceed();
     // Who is on the way already has the camera in view; who stays, or cannot get on, makes room for it.
-    const bool stays = !walks || (member_.body.p_m - before.p_m).norm() < 0.3 * kTick_s;
+    const bool stays = !walks || (member_.body.p_m - before.p_m).norm() < 0.3 * kTick_s ||
+                       cameraDistance_m(around_, discsOf(world_, member_, member_.body)) < kCameraDistance_m;
     if (stays && before.pose.sitting == 0 && isInCamerasWay(around_, discsOf(world_, member_, before))) {
       member_.body = before;
       member_.body = stepAside(world_, around_, who_, member_);
@@ -60,10 +61,18 @@ class Turn {
     member_.stuck_s = 0.0;
   }
 
+  /// Whether something left here is out of the camera's way.
+  [[nodiscard]] bool mayStay(const ThingState& thing, const Portable& portable) const {
+    for (const Disc& disc : discsOf(portable, thing)) {
+      if (world_.cameraRoute.at(disc.p_m) < disc.radius_m + 0.4) return false;
+    }
+    return true;
+  }
+
   void giveUp() {
     const std::size_t held = member_.holds;
     member_.steps.clear();
-    if (held != kNobody) {
+    if (held != kNobody && mayStay(state_.things[held], world_.portables[held])) {
       Step release;
       release.kind = Step::Kind::Release;
       release.index = held;
@@ -103,8 +112,8 @@ class Turn {
     return body.p_m + (portable.pivotX_m - portable.holderX_m) * directionOf(body.heading_rad);
   }
 
-  void go(const Vector2d& target_m, const Vector2d& leg_m, double speed_mps) {
-    member_.body = steer(world_, around_, who_, member_, {target_m, leg_m, speed_mps});
+  void go(const Vector2d& target_m, const Vector2d& leg_m, double speed_mps, bool narrow = false) {
+    member_.body = steer(world_, around_, who_, member_, {target_m, leg_m, speed_mps, narrow});
   }
 
   void walk() {
@@ -117,17 +126,23 @@ class Turn {
       if (step.exact) member_.body.p_m = goal;
       return finish();
     }
-    if (!last && left_m < 0.45) {
+    if (member_.done_s == 0.0) member_.legFrom_m = here;
+    member_.done_s += kTick_s;
+    // Corners are cut where there is room, and met where there is none.
+    const double need_m = member_.holds == kNobody ? 0.3 : world_.portables[member_.holds].width_m / 2 + 0.08;
+    if (!last &&
+        (left_m < 0.12 || (left_m < 6.0 && world_.walls.along(here, step.path_m[member_.onPath + 1]) > need_m))) {
       ++member_.onPath;
+      member_.legFrom_m = here;
       return walk();
     }
-    const Vector2d leg = member_.onPath == 0 ? here : step.path_m[member_.onPath - 1];
+    const Vector2d leg = member_.legFrom_m;
     const double pace = member_.holds == kNobody ? member_.walks_mps : std::min(member_.walks_mps, 0.95);
     const double speed = last && step.exact ? std::min(pace, std::max(0.12, 1.2 * left_m)) : pace;
     if (last && step.exact && left_m < 0.1) {
       arrive(goal, left_m);
     } else {
-      go(aim(here, leg, goal, left_m), leg, speed);
+      go(aim(here, leg, goal, left_m), leg, speed, last && step.exact);
     }
     const bool stuck = (pivot() - here).norm() < 0.15 * pace * kTick_s;
     member_.stuck_s = stuck ? member_.stuck_s + kTick_s : std::max(0.0, member_.stuck_s - kTick_s);

@@ -84,6 +84,7 @@ class Judge {
         member_(member),
         heading_(heading),
         pivot_m_(pivotOf(world, member)),
+        patience_(1 / (1 + member.stuck_s)),
         others_(othersNear(around, who, member.body.p_m)) {
     const std::vector<Disc> now = discsOf(world, member, member.body);
     camera_m_ = cameraGap_m(now, around.camera_m[0]);
@@ -97,10 +98,14 @@ class Judge {
     if (camera_m < kCameraDistance_m && camera_m < camera_m_ + 1e-9) return false;
     const double wall_m = wallGap_m(world_, discs);
     // Along its own straight line somebody gets closer to things: that line is free.
-    const bool onLine = member_.holds == kNobody && distanceToLeg_m(heading_, next.p_m) < 0.06;
+    const bool onLine = member_.holds == kNobody && wall_m > (heading_.narrow ? 0.03 : 0.15) &&
+                        distanceToLeg_m(heading_, next.p_m) < 0.06;
     if (!onLine && wall_m < kWallDistance_m && wall_m < wall_m_ + 1e-9) return false;
+    // Nor through one: what is farther from it may lie behind it.
+    if (world_.walls.along(member_.body.p_m, next.p_m) < std::min(0.03, wall_m_ - 0.01)) return false;
     const double people_m = peopleGap_m(discs, others_, kTick_s);
-    return people_m > -0.1 || people_m > people_m_ || member_.stuck_s > 8.0;
+    return people_m > -0.08 - 0.06 * std::max(0.0, member_.stuck_s - 3) ||
+           people_m > people_m_;  // who waits long squeezes past
   }
 
   [[nodiscard]] double cost(const Candidate& move) const {
@@ -115,7 +120,7 @@ class Judge {
       const double camera_m = cameraGap_m(discs, around_.camera_m[i]);
       cost += 5 * std::max(0.0, kCameraDistance_m + 0.3 - camera_m) / (0.5 + later_s);
       const double people_m = peopleGap_m(discs, others_, later_s);
-      cost += 4 * std::max(0.0, kPersonalSpace_m - people_m) / (0.5 + later_s);
+      cost += 3 * patience_ * std::max(0.0, kPersonalSpace_m * patience_ - people_m) / (0.5 + later_s);
       if (i < 4) cost += 3 * std::max(0.0, kWallDistance_m + 0.08 - wallGap_m(world_, discs)) / (0.5 + later_s);
     }
     return cost;
@@ -130,6 +135,7 @@ class Judge {
   const Member& member_;
   const Heading& heading_;
   double pivot_m_;
+  double patience_;  ///< 1 … 0: how much one cares for others' space.
   std::vector<Disc> others_;
   double camera_m_ = 0.0;
   double wall_m_ = 0.0;
@@ -189,7 +195,7 @@ BodyState steer(const SocietyWorld& world, const Surroundings& around, std::size
   const double fastest =
       std::min(member.speed_mps + 0.25, heading.speed_mps) * std::clamp(1.3 * std::cos(error), 0.0, 1.0);
   BodyState best = member.body;
-  double least = judge.cost({0.0, 0.0}) + 0.4;
+  double least = judge.cost({0.0, 0.0});
   for (const double part : {1.0, 0.65, 0.3, 0.0}) {
     for (const double aside : {0.0, -0.8, 0.8, -1.6, 1.6, -2.6, 2.6}) {
       const Candidate move{part * fastest, std::clamp(wanted_radps + aside, -most_radps, most_radps)};
@@ -202,6 +208,10 @@ BodyState steer(const SocietyWorld& world, const Surroundings& around, std::size
     }
   }
   return best;
+}
+
+double cameraDistance_m(const Surroundings& around, const std::vector<Disc>& discs) {
+  return cameraGap_m(discs, around.camera_m[0]);
 }
 
 bool isInCamerasWay(const Surroundings& around, const std::vector<Disc>& discs) {
@@ -223,6 +233,7 @@ BodyState stepAside(const SocietyWorld& world, const Surroundings& around, std::
     next.p_m += kTick_s * v;
     const double wall_m = wallGap_m(world, discsOf(world, member, next));
     if (wall_m < kWallDistance_m - 0.02 && wall_m < wallNow_m + 1e-9 && i > 0) continue;
+    if (i > 0 && world.walls.along(member.body.p_m, next.p_m) < 0.03) continue;
     double value = -0.3 * speed;
     for (std::size_t k = 0; k < 5; ++k) {
       BodyState later = member.body;

@@ -34,12 +34,16 @@ struct Heading {
   Eigen::Vector2d target_m = Eigen::Vector2d::Zero();
   Eigen::Vector2d leg_m = Eigen::Vector2d::Zero();  ///< Start of the straight line that is known to be free.
   double speed_mps = 0.0;
+  bool narrow = false;  ///< Along the line also close by things, as to a seat.
 };
 
 /// Where a member is a tick later, on its way and out of everybody's. Never into a wall, never nearer to the camera
 /// than kCameraDistance_m where it was farther.
 [[nodiscard]] BodyState steer(const SocietyWorld& world, const Surroundings& around, std::size_t who,
                               const Member& member, const Heading& heading);
+
+/// How far discs keep from the camera a tick later, counted as if they were bodies.
+[[nodiscard]] double cameraDistance_m(const Surroundings& around, const std::vector<Disc>& discs);
 
 /// Whether the camera comes too close to somebody who stays.
 [[nodiscard]] bool isInCamerasWay(const Surroundings& around, const std::vector<Disc>& discs);
