@@ -113,7 +113,11 @@ class Turn {
   }
 
   void go(const Vector2d& target_m, const Vector2d& leg_m, double speed_mps, bool narrow = false) {
-    member_.body = steer(world_, around_, who_, member_, {target_m, leg_m, speed_mps, narrow});
+    const BodyState next = steer(world_, around_, who_, member_, {target_m, leg_m, speed_mps, narrow});
+    // What nobody could see is no motion.
+    const bool seen =
+        (next.p_m - member_.body.p_m).norm() > 1e-4 || std::abs(next.heading_rad - member_.body.heading_rad) > 1e-3;
+    if (seen) member_.body = next;
   }
 
   void walk() {
