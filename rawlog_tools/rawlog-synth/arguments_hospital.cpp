@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "arguments.h"
 
@@ -22,6 +24,13 @@ void declareHospital(CLI::App& app, HospitalOptions& options) {
   app.add_option("--day", options.day, "so many days later: things were moved, taken away and brought")
       ->check(CLI::Range(0, kLastDay))
       ->capture_default_str();
+  std::vector<std::string> names;
+  for (const auto& [name, density] : densities()) names.push_back(name);
+  app.add_option_function<std::string>(
+         "--people", [&options](const std::string& name) { options.people = densities().at(name); },
+         "who walks about: none, few (10), normal (26), busy (54) or crowd (90, some of them around the camera)")
+      ->check(CLI::IsMember(names))
+      ->default_str("normal");
 }
 
 }  // namespace wardslam::synth

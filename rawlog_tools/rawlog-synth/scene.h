@@ -36,6 +36,13 @@ struct Thing {
   int cell = 0;  ///< Part of the building (a room, say) it stands in; see Scene::mayBeSeen.
 };
 
+/// From when to when something stood where.
+struct RestInterval {
+  double from_s = 0.0;
+  double until_s = 0.0;          ///< Infinite where it stays for good.
+  Eigen::AlignedBox3f bounds_m;  ///< World frame.
+};
+
 /// Something that moves at times.
 class Actor {
  public:
@@ -54,9 +61,15 @@ class Actor {
   /// When it comes to rest for good; infinity if never.
   [[nodiscard]] virtual double atRestFrom_s() const = 0;
 
+  /// When and where it rests until `t_s`, in order: what a map may hold of it. A person never rests.
+  [[nodiscard]] virtual std::vector<RestInterval> restsUntil(double t_s) const;
+
  private:
   Label label_;
 };
+
+/// The rest that lasts beyond `t_s`, if it rests then: where a map finds it.
+[[nodiscard]] std::optional<RestInterval> restAt(const Actor& actor, double t_s);
 
 /// All that can be rendered. World frame: x and y along the walls, z up, floor at z = 0; metres.
 struct Scene {

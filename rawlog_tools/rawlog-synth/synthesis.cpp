@@ -39,8 +39,8 @@ std::vector<StaticObject> staticObjects(const Setting& setting, double seconds) 
     if (isObject) objects.push_back({thing.label, boundsOf(thing.surfaces), 0.0});
   }
   for (const auto& actor : scene.actors) {
-    const double from_s = actor->atRestFrom_s();
-    if (from_s < seconds) objects.push_back({actor->label(), boundsOf(actor->surfacesAt(from_s)), from_s});
+    const auto rest = restAt(*actor, seconds);
+    if (rest) objects.push_back({actor->label(), boundsOf(actor->surfacesAt(rest->from_s)), rest->from_s});
   }
   for (StaticObject& object : objects) {
     if (setting.roomAt) object.room = setting.roomAt(object.box_m.center().head<2>().cast<double>());

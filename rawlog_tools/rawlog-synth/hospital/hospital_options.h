@@ -2,6 +2,7 @@
 
 #include "hospital/hospital_days.h"
 #include "hospital/hospital_route.h"
+#include "life/life.h"
 
 namespace wardslam::synth {
 
@@ -9,6 +10,7 @@ namespace wardslam::synth {
 struct HospitalOptions {
   int day = 0;  ///< 0 to kLastDay.
   RouteChoice route;
+  Density people = Density::Normal;  ///< Nobody at all where SceneOptions::people says so.
 };
 
 }  // namespace wardslam::synth

@@ -12,6 +12,7 @@
 #include "hospital/hospital_textures.h"
 #include "hospital/hospital_truth.h"
 #include "hospital/hospital_ways.h"
+#include "life/life.h"
 
 namespace wardslam::synth {
 namespace {
@@ -27,11 +28,23 @@ void addItem(Scene& scene, const Item& item) {
   scene.things.push_back({patient, placed(makePatient(item.variant), item.T_world_item), cell});
 }
 
+Density densityOf(const SceneOptions& scene, const HospitalOptions& options) {
+  return scene.people ? options.people : Density::None;
+}
+
+/// Another day, or for another robot, other people are about.
+std::uint32_t lifeSeed(const PlaceOptions& options) {
+  const auto day = static_cast<std::uint32_t>(options.hospital.day);
+  const auto robot = static_cast<std::uint32_t>(options.hospital.route.robot);
+  return options.scene.seed + 7919U * day + 104729U * robot;
+}
+
 }  // namespace
 
 Hospital makeHospital(const SceneOptions& scene, const HospitalOptions& options) {
   HospitalPlan plan = planHospital(scene.seed);
-  HospitalDay today = daysLater(plan, furnish(plan, scene.seed, scene.people), options.day, scene.seed);
+  const bool anybody = densityOf(scene, options) != Density::None;
+  HospitalDay today = daysLater(plan, furnish(plan, scene.seed, anybody), options.day, scene.seed);
   HospitalRoute route(plan, options.route, scene.seed);
   return {std::move(plan), std::move(today), std::move(route)};
 }
@@ -70,6 +83,9 @@ Setting hospitalSetting(const PlaceOptions& options, const CameraMount& mount) {
   Setting setting;
   setting.scene = buildHospital(hospital, options.scene.seed);
   setting.duration_s = hospital.route.round_s();
+  const Ways ways = waysOf(hospital, setting.scene);
+  addLife(setting.scene, kFirstVisitorId, ways,
+          {densityOf(options.scene, options.hospital), lifeSeed(options), setting.duration_s});
   setting.T_world_cam = [route = hospital.route, mount](double t_s) { return route.T_world_cam(t_s, mount); };
   setting.roomAt = [plan = hospital.plan](const Eigen::Vector2d& p_m) {
     const std::size_t room = plan.roomAt(p_m);

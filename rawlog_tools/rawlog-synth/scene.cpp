@@ -1,0 +1,30 @@
+#include "scene.h"
+
+#include <limits>
+
+namespace wardslam::synth {
+namespace {
+
+Eigen::AlignedBox3f boundsAround(const Surfaces& surfaces) {
+  Eigen::AlignedBox3f box;
+  for (const Surface& surface : surfaces) {
+    for (const Vertex& vertex : surface.mesh.vertices) box.extend(vertex.p_m);
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<RestInterval> Actor::restsUntil(double t_s) const {
+  const double from_s = atRestFrom_s();
+  if (from_s >= t_s) return {};
+  return {{from_s, std::numeric_limits<double>::infinity(), boundsAround(surfacesAt(from_s))}};
+}
+
+std::optional<RestInterval> restAt(const Actor& actor, double t_s) {
+  const std::vector<RestInterval> rests = actor.restsUntil(t_s);
+  if (rests.empty() || rests.back().until_s < t_s) return std::nullopt;
+  return rests.back();
+}
+
+}  // namespace wardslam::synth
