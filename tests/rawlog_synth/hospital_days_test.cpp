@@ -100,8 +100,9 @@ TEST_F(HospitalDays, NothingStandsInAnythingElseAfterManyDays) {
   const HospitalDay today = daysLater(plan, day0, 12, 1);
   for (const Item& a : today.items) {
     for (const Item& b : today.items) {
-      if (a.identity < b.identity && a.room == b.room)
+      if (a.identity < b.identity && a.room == b.room) {
         EXPECT_FALSE(collide(a, b, 0.0)) << nameOf(a) << " in " << nameOf(b);
+      }
     }
   }
 }

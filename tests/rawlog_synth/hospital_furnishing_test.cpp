@@ -98,8 +98,9 @@ TEST(HospitalFurnishing, ThingsAreCountedAndDoNotStandInEachOther) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       EXPECT_EQ(items[i].identity, static_cast<int>(i) + 1);
       for (std::size_t k = 0; k < i; ++k) {
-        if (items[i].room == items[k].room)
+        if (items[i].room == items[k].room) {
           EXPECT_FALSE(collide(items[i], items[k], 0.0)) << nameOf(items[i]) << " in " << nameOf(items[k]);
+        }
       }
     }
   }
@@ -110,7 +111,9 @@ TEST(HospitalFurnishing, NothingHangsOrStandsAtTheBareWalls) {
   for (const Item& item : furnish(plan, 1, true)) {
     const Eigen::Vector2d p = item.T_world_item.translation().head<2>().cast<double>();
     const bool there = item.room == plan.corridorA && p.x() > plan.bare.fromX_m && p.x() < plan.bare.toX_m;
-    if (there) EXPECT_EQ(item.kind, ItemKind::HangingSign) << nameOf(item);
+    if (there) {
+      EXPECT_EQ(item.kind, ItemKind::HangingSign) << nameOf(item);
+    }
   }
 }
 
