@@ -137,6 +137,17 @@ Polyline roughCorners(const HospitalPlan& plan, const RouteChoice& choice, std::
   return tour.take();
 }
 
+/// Spread evenly over the storey, so that robots next to each other in number are not so in space.
+Vector2d startOf(const HospitalPlan& plan, int robot) {
+  const Vector2d steps = robot * Vector2d(0.7548776662, 0.5698402910) + Vector2d(0.5, 0.5);
+  return (steps.array() - steps.array().floor()) * plan.size_m.array();
+}
+
+void beginNear(const Vector2d& p_m, Polyline& corners_m) {
+  const auto isNearer = [&](const Vector2d& a, const Vector2d& b) { return (a - p_m).norm() < (b - p_m).norm(); };
+  std::rotate(corners_m.begin(), std::min_element(corners_m.begin(), corners_m.end(), isNearer), corners_m.end());
+}
+
 }  // namespace
 
 Polyline cornersOf(const HospitalPlan& plan, const RouteChoice& choice, std::uint32_t seed) {
@@ -144,11 +155,7 @@ Polyline cornersOf(const HospitalPlan& plan, const RouteChoice& choice, std::uin
   const std::uint64_t number = (static_cast<std::uint64_t>(seed) << 32U) + 40000 + robot;
   Polyline corners_m = tidied(roughCorners(plan, choice, number));
   if (choice.robot % 2 == 1) std::reverse(corners_m.begin(), corners_m.end());
-  if (choice.robot > 0) {
-    cv::RNG rng(number + 77777);
-    const int shift = rng.uniform(1, static_cast<int>(corners_m.size()));
-    std::rotate(corners_m.begin(), corners_m.begin() + shift, corners_m.end());
-  }
+  if (choice.robot > 0) beginNear(startOf(plan, choice.robot), corners_m);
   return corners_m;
 }
 

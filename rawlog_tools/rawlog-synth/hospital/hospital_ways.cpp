@@ -27,9 +27,10 @@ class GraphBuilder {
     return graph_.nodes_m.size() - 1;
   }
   void addEdge(const Vector2d& from_m, const Vector2d& to_m) {
-    const auto edge = std::minmax(nodeAt(from_m), nodeAt(to_m));
-    const std::pair<std::size_t, std::size_t> ends(edge.first, edge.second);
-    if (ends.first == ends.second) return;
+    const std::size_t from = nodeAt(from_m);
+    const std::size_t to = nodeAt(to_m);
+    if (from == to) return;
+    const std::pair<std::size_t, std::size_t> ends(std::min(from, to), std::max(from, to));
     if (std::find(graph_.edges.begin(), graph_.edges.end(), ends) == graph_.edges.end()) graph_.edges.push_back(ends);
   }
 
