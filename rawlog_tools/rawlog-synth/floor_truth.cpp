@@ -44,7 +44,7 @@ template <typename Use>
 void sample(const Scene& scene, double until_s, Use&& use) {
   for (const Thing& thing : scene.things) sample(thing.surfaces, use);
   for (const auto& actor : scene.actors) {
-    if (const auto rest = restAt(*actor, until_s)) sample(actor->surfacesAt(rest->from_s), use);
+    if (restAt(*actor, until_s)) sample(actor->surfacesAt(until_s), use);
   }
 }
 

@@ -182,11 +182,6 @@ struct Renderer::Impl {
   [[nodiscard]] cv::Mat drawColors(const Eigen::Isometry3d& T_world_cam);
   [[nodiscard]] TriangleList::View drawNumbers(const Eigen::Isometry3d& T_world_cam);
 
-  struct ActorModel {
-    std::vector<gl::CSetOfTexturedTriangles::Ptr> surfaces;
-    gl::CSetOfTriangles::Ptr flat;
-  };
-
   const Scene& scene;
   LensView lens;
   core::CameraModel camera;  ///< The pinhole that is rendered.
@@ -203,7 +198,8 @@ struct Renderer::Impl {
   gl::CSetOfTriangles::Ptr flatThings = gl::CSetOfTriangles::Create();
   TriangleList triangles;  ///< Those of the static things first.
   std::size_t staticTriangles = 0;
-  std::vector<ActorModel> actors;
+  std::map<Material, gl::CSetOfTexturedTriangles::Ptr> moving;  ///< Of all actors: each texture is there once.
+  std::vector<gl::CSetOfTriangles::Ptr> flatActors;
   std::vector<gl::CSetOfTexturedTriangles::Ptr> opaque;  ///< The building first.
   gl::CSetOfTexturedTriangles::Ptr shadows = shadowSet();
 };
@@ -241,14 +237,14 @@ void Renderer::Impl::addThings() {
 
 /// Empty sets with the actor's textures; placeActors() fills them.
 void Renderer::Impl::addActor(const Actor& actor) {
-  ActorModel actorModel;
   for (const Surface& surface : actor.surfacesAt(0.0)) {
-    actorModel.surfaces.push_back(texturedSet(scene.textures.at(surface.material)));
-    opaque.push_back(actorModel.surfaces.back());
+    auto& set = moving[surface.material];
+    if (set) continue;
+    set = texturedSet(scene.textures.at(surface.material));
+    opaque.push_back(set);
   }
-  actorModel.flat = gl::CSetOfTriangles::Create();
-  numbers.insert(actorModel.flat);
-  actors.push_back(std::move(actorModel));
+  flatActors.push_back(gl::CSetOfTriangles::Create());
+  numbers.insert(flatActors.back());
 }
 
 /// Fills the sets with the chunks in view. Mostly they hold them already.
@@ -268,17 +264,17 @@ void Renderer::Impl::placeThings(const Eigen::Isometry3d& T_world_cam, const Fru
 void Renderer::Impl::placeActors(double t_s, const Frustum& frustum) {
   triangles.shrink(staticTriangles);
   shadows->clearTriangles();
-  for (std::size_t i = 0; i < actors.size(); ++i) {
-    actors[i].flat->clearTriangles();
-    for (const auto& set : actors[i].surfaces) set->clearTriangles();
+  for (const auto& [material, set] : moving) set->clearTriangles();
+  for (std::size_t i = 0; i < flatActors.size(); ++i) {
+    flatActors[i]->clearTriangles();
     const auto bounds_m = scene.actors[i]->boundsAt(t_s);
     if (bounds_m && !frustum.mayShow(*bounds_m)) continue;
     const Surfaces surfaces = scene.actors[i]->surfacesAt(t_s);
     insertTextured(*shadows, shadowUnder(surfaces, shadowHeight_m(i)));
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       const auto& vertices = surfaces[k].mesh.vertices;
-      insertTextured(*actors[i].surfaces[k], surfaces[k].mesh);
-      insertNumbered(*actors[i].flat, vertices.data(), vertices.size() / 3, triangles.size());
+      insertTextured(*moving.at(surfaces[k].material), surfaces[k].mesh);
+      insertNumbered(*flatActors[i], vertices.data(), vertices.size() / 3, triangles.size());
       triangles.add(surfaces[k].mesh, scene.actors[i]->label().id);
     }
   }

@@ -40,7 +40,7 @@ std::vector<StaticObject> staticObjects(const Setting& setting, double seconds) 
   }
   for (const auto& actor : scene.actors) {
     const auto rest = restAt(*actor, seconds);
-    if (rest) objects.push_back({actor->label(), boundsOf(actor->surfacesAt(rest->from_s)), rest->from_s});
+    if (rest) objects.push_back({actor->label(), boundsOf(actor->surfacesAt(seconds)), rest->from_s});
   }
   for (StaticObject& object : objects) {
     if (setting.roomAt) object.room = setting.roomAt(object.box_m.center().head<2>().cast<double>());
