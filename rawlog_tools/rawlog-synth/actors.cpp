@@ -43,12 +43,12 @@ bool PersonActor::isMovingAt(double t_s) const {
   return walker_.at(t_s).moving || (reaching > 0.0 && reaching < 1.0);
 }
 
-std::optional<Eigen::AlignedBox3f> PersonActor::boundsAt(double t_s) const {
+Eigen::AlignedBox3f PersonActor::boundsAt(double t_s) const {
   constexpr float kReachAround_m = 1.2F;  // strides and outstretched arms
   constexpr float kHighest_m = 2.4F;
   const Eigen::Vector2f p = walker_.at(t_s).p_m.cast<float>();
-  return Eigen::AlignedBox3f(Eigen::Vector3f(p.x() - kReachAround_m, p.y() - kReachAround_m, 0),
-                             Eigen::Vector3f(p.x() + kReachAround_m, p.y() + kReachAround_m, kHighest_m));
+  return {Eigen::Vector3f(p.x() - kReachAround_m, p.y() - kReachAround_m, 0),
+          Eigen::Vector3f(p.x() + kReachAround_m, p.y() + kReachAround_m, kHighest_m)};
 }
 
 double PersonActor::atRestFrom_s() const { return std::numeric_limits<double>::infinity(); }

@@ -18,7 +18,7 @@ class PersonActor : public Actor {
 
   [[nodiscard]] Surfaces surfacesAt(double t_s) const override;
   [[nodiscard]] bool isMovingAt(double t_s) const override;
-  [[nodiscard]] std::optional<Eigen::AlignedBox3f> boundsAt(double t_s) const override;
+  [[nodiscard]] Eigen::AlignedBox3f boundsAt(double t_s) const override;
   [[nodiscard]] double atRestFrom_s() const override;
   [[nodiscard]] Gait gaitAt(double t_s) const { return walker_.at(t_s); }
 

@@ -95,10 +95,12 @@ cv::Mat LensView::nearest(const cv::Mat& ofPinhole) const {
   if (isIdeal()) return ofPinhole;
   cv::Mat seen(where_px_.size(), ofPinhole.type());
   const std::size_t size = ofPinhole.elemSize();
+  const auto scale = static_cast<float>(ofPinhole.cols / pinhole_.width_px);
+  const auto nearestTo = [scale](float at_px) { return cvRound((at_px + 0.5F) * scale - 0.5F); };
   for (int y = 0; y < seen.rows; ++y) {
     const auto* where = where_px_.ptr<cv::Vec2f>(y);
     for (int x = 0; x < seen.cols; ++x) {
-      std::copy_n(ofPinhole.ptr(cvRound(where[x][1]), cvRound(where[x][0])), size, seen.ptr(y, x));
+      std::copy_n(ofPinhole.ptr(nearestTo(where[x][1]), nearestTo(where[x][0])), size, seen.ptr(y, x));
     }
   }
   return seen;

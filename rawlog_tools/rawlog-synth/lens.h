@@ -27,7 +27,7 @@ class LensView {
   [[nodiscard]] bool isIdeal() const { return where_px_.empty(); }
 
   /// Images of the pinhole's size in, of the camera's out: colours bilinearly, anything else (depth, numbers) from the
-  /// nearest pixel.
+  /// nearest pixel; there the image may be a whole number of times larger, and so hold nearer ones.
   [[nodiscard]] cv::Mat colours(const cv::Mat& ofPinhole) const;
   [[nodiscard]] cv::Mat nearest(const cv::Mat& ofPinhole) const;
 

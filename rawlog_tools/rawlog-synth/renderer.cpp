@@ -25,7 +25,10 @@ namespace gl = mrpt::opengl;
 
 /// Colour is rendered this much larger and averaged down: MRPT's textures have no mip maps.
 constexpr double kSupersampling = 1.5;
+/// Numbers seen through a lens are looked up in an image this much larger, so that they lie within a quarter pixel.
+constexpr int kNumberScale = 2;
 constexpr float kNear_m = 0.2F;
+constexpr double kStep_m = 0.4;  ///< Backwards, to look around for what comes into view.
 
 gl::TTriangle toTriangle(const Vertex* corner, const mrpt::img::TColor& color) {
   gl::TTriangle triangle;
@@ -102,15 +105,24 @@ float shadowHeight_m(std::size_t actor) {
   return 0.006F + 0.003F * apart + 0.0004F * close;
 }
 
+constexpr float kShadowSpread_m = 0.22F;
+
+/// What is seen of an actor, whose bounds these are: its shadow falls around it.
+Eigen::AlignedBox3f withItsShadow(Eigen::AlignedBox3f bounds_m) {
+  const Eigen::Vector3f spread(kShadowSpread_m, kShadowSpread_m, 0);
+  return Eigen::AlignedBox3f(bounds_m.min() - spread, bounds_m.max() + spread)
+      .extend(Eigen::Vector3f(bounds_m.center().x(), bounds_m.center().y(), 0));
+}
+
 /// `above_m`: each shadow at its own height, so that they do not fight where they overlap.
 Mesh shadowUnder(const Surfaces& surfaces, float above_m) {
-  constexpr float kSpread_m = 0.22F;
   Eigen::AlignedBox3f box;
   for (const Surface& surface : surfaces) {
     for (const Vertex& vertex : surface.mesh.vertices) box.extend(vertex.p_m);
   }
-  const Eigen::Vector3f size = box.sizes() + Eigen::Vector3f::Constant(2 * kSpread_m);
-  return panel({box.min().x() - kSpread_m, box.min().y() - kSpread_m, above_m}, {size.x(), 0, 0}, {0, size.y(), 0});
+  const Eigen::Vector3f size = box.sizes() + Eigen::Vector3f::Constant(2 * kShadowSpread_m);
+  return panel({box.min().x() - kShadowSpread_m, box.min().y() - kShadowSpread_m, above_m}, {size.x(), 0, 0},
+               {0, size.y(), 0});
 }
 
 /// OpenGL gives rows of whole words, MRPT leaves room for none but full ones: the image gets columns to its right, so
@@ -118,6 +130,17 @@ Mesh shadowUnder(const Surfaces& surfaces, float above_m) {
 core::CameraModel withWholeRows(core::CameraModel camera) {
   constexpr int kColumns = 8;
   camera.width_px = (camera.width_px + kColumns - 1) / kColumns * kColumns;
+  return camera;
+}
+
+/// Sees a quarter more on each side: what a camera that turns will see soon.
+core::CameraModel wider(core::CameraModel camera) {
+  const int x_px = camera.width_px / 4;
+  const int y_px = camera.height_px / 4;
+  camera.width_px += 2 * x_px;
+  camera.height_px += 2 * y_px;
+  camera.cx_px += x_px;
+  camera.cy_px += y_px;
   return camera;
 }
 
@@ -187,6 +210,7 @@ struct Renderer::Impl {
   core::CameraModel camera;  ///< The pinhole that is rendered.
   cv::Size size_px;
   cv::Size largeSize_px;
+  cv::Size numberSize_px;
   // The targets own the OpenGL context: they must outlive the scenes' textures.
   std::unique_ptr<gl::CFBORender> colorTarget;
   std::unique_ptr<gl::CFBORender> numberTarget;
@@ -210,8 +234,9 @@ Renderer::Impl::Impl(const Scene& renderedScene, const core::CameraModel& model)
       camera(withWholeRows(lens.pinhole())),
       size_px(camera.width_px, camera.height_px),
       largeSize_px(cvRound(camera.width_px * kSupersampling), cvRound(camera.height_px * kSupersampling)),
+      numberSize_px(lens.isIdeal() ? size_px : size_px * kNumberScale),
       colorTarget(makeTarget(largeSize_px, true)),
-      numberTarget(makeTarget(size_px, false)),
+      numberTarget(makeTarget(numberSize_px, false)),
       chunks(renderedScene) {
   prepare(colors, scene.farthest_m, 0.74F, 0.36F);
   prepare(numbers, scene.farthest_m, 1.0F, 0.0F);
@@ -247,11 +272,15 @@ void Renderer::Impl::addActor(const Actor& actor) {
   numbers.insert(flatActors.back());
 }
 
-/// Fills the sets with the chunks in view. Mostly they hold them already.
+/// Fills the sets with the chunks in view and around it, so that they mostly hold them already.
 void Renderer::Impl::placeThings(const Eigen::Isometry3d& T_world_cam, const Frustum& frustum) {
-  auto nowSeen = chunks.seenFrom(T_world_cam, frustum);
-  if (nowSeen == seen) return;
-  seen = std::move(nowSeen);
+  const auto needed = chunks.seenFrom(T_world_cam, frustum);
+  bool isComplete = !seen.empty();
+  for (std::size_t i = 0; isComplete && i < needed.size(); ++i) isComplete = seen[i] || !needed[i];
+  if (isComplete) return;
+  seen = chunks.seenFrom(T_world_cam, Frustum(wider(camera), T_world_cam * Eigen::Translation3d(0, 0, -kStep_m),
+                                              static_cast<double>(scene.farthest_m)));
+  for (std::size_t i = 0; i < needed.size(); ++i) seen[i] = seen[i] || needed[i];
   for (const auto& [material, set] : things) set->clearTriangles();
   flatThings->clearTriangles();
   for (const Chunks::Run& run : chunks.runs()) {
@@ -267,8 +296,7 @@ void Renderer::Impl::placeActors(double t_s, const Frustum& frustum) {
   for (const auto& [material, set] : moving) set->clearTriangles();
   for (std::size_t i = 0; i < flatActors.size(); ++i) {
     flatActors[i]->clearTriangles();
-    const auto bounds_m = scene.actors[i]->boundsAt(t_s);
-    if (bounds_m && !frustum.mayShow(*bounds_m)) continue;
+    if (!frustum.mayShow(withItsShadow(scene.actors[i]->boundsAt(t_s)))) continue;
     const Surfaces surfaces = scene.actors[i]->surfacesAt(t_s);
     insertTextured(*shadows, shadowUnder(surfaces, shadowHeight_m(i)));
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
@@ -310,7 +338,7 @@ void Renderer::Impl::aim(gl::CFBORender& target, const gl::COpenGLScene& what, c
 }
 
 cv::Mat Renderer::Impl::withoutAddedColumns(const cv::Mat& image) const {
-  const int width_px = lens.pinhole().width_px;
+  const int width_px = lens.pinhole().width_px * (image.cols / camera.width_px);
   return image.cols == width_px ? image : image.colRange(0, width_px).clone();
 }
 
@@ -325,7 +353,7 @@ cv::Mat Renderer::Impl::drawColors(const Eigen::Isometry3d& T_world_cam) {
 }
 
 TriangleList::View Renderer::Impl::drawNumbers(const Eigen::Isometry3d& T_world_cam) {
-  aim(*numberTarget, numbers, size_px, T_world_cam);
+  aim(*numberTarget, numbers, numberSize_px, T_world_cam);
   mrpt::img::CImage codes;
   numberTarget->render_RGB(numbers, codes);
   return triangles.lookedAt(numbersOf(lens.nearest(withoutAddedColumns(codes.asCvMatRef()))), lens, T_world_cam);

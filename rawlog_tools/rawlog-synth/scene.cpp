@@ -15,10 +15,12 @@ Eigen::AlignedBox3f boundsAround(const Surfaces& surfaces) {
 
 }  // namespace
 
+Eigen::AlignedBox3f Actor::boundsAt(double t_s) const { return boundsAround(surfacesAt(t_s)); }
+
 std::vector<RestInterval> Actor::restsUntil(double t_s) const {
   const double from_s = atRestFrom_s();
   if (from_s >= t_s) return {};
-  return {{from_s, std::numeric_limits<double>::infinity(), boundsAround(surfacesAt(from_s))}};
+  return {{from_s, std::numeric_limits<double>::infinity(), boundsAt(from_s)}};
 }
 
 std::optional<RestInterval> restAt(const Actor& actor, double t_s) {

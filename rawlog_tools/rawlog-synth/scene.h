@@ -55,12 +55,11 @@ class Actor {
   /// What it looks like, in the world frame. The materials and their order are always the same.
   [[nodiscard]] virtual Surfaces surfacesAt(double t_s) const = 0;
   [[nodiscard]] virtual bool isMovingAt(double t_s) const = 0;
-  /// A box (world frame) that it does not leave at that moment, where that is known without making its surfaces: what
-  /// lies out of view is not made.
-  [[nodiscard]] virtual std::optional<Eigen::AlignedBox3f> boundsAt(double /*t_s*/) const { return std::nullopt; }
   /// When it comes to rest for good; infinity if never.
   [[nodiscard]] virtual double atRestFrom_s() const = 0;
 
+  /// A box around it at that time, cheaper than its surfaces and maybe larger; world frame.
+  [[nodiscard]] virtual Eigen::AlignedBox3f boundsAt(double t_s) const;
   /// When and where it rests until `t_s`, in order: what a map may hold of it. A person never rests.
   [[nodiscard]] virtual std::vector<RestInterval> restsUntil(double t_s) const;
 

@@ -92,7 +92,7 @@ TEST_F(Life, WhatIsPushedComesWithSomebodyAndRestsWhereItWasLeft) {
       const double until_s = std::min(rest.until_s, kSeconds_s);
       for (double t = rest.from_s; t < until_s - 0.06; t += 0.5) {
         ASSERT_FALSE(thing->isMovingAt(t)) << thing->label().name << " at " << t;
-        ASSERT_TRUE(thing->boundsAt(t).value().isApprox(rest.bounds_m, 1e-6F)) << thing->label().name << " at " << t;
+        ASSERT_TRUE(thing->boundsAt(t).isApprox(rest.bounds_m, 1e-6F)) << thing->label().name << " at " << t;
       }
     }
   }
@@ -135,7 +135,7 @@ TEST_F(Life, MovingMeansThatSurfacesMove) {
 
 TEST_F(Life, BoundsHoldTheSurfaces) {
   for (const auto& actor : place.scene.actors) {
-    const Eigen::AlignedBox3f box = actor->boundsAt(33.33).value();
+    const Eigen::AlignedBox3f box = actor->boundsAt(33.33);
     for (const Surface& surface : actor->surfacesAt(33.33)) {
       for (const Vertex& vertex : surface.mesh.vertices)
         ASSERT_LT(box.exteriorDistance(vertex.p_m), 0.01F) << actor->label().name;
@@ -153,7 +153,7 @@ TEST_F(Life, IsTheSameAgainInWhateverOrderItIsAsked) {
   for (const double t : {65.0, 3.0, 110.05, 42.0}) {
     for (const double other_s : {111.0, 0.0}) (void)again.scene.actors.front()->boundsAt(other_s);
     for (std::size_t i = 0; i < again.scene.actors.size(); ++i) {
-      EXPECT_EQ(again.scene.actors[i]->boundsAt(t).value().min(), place.scene.actors[i]->boundsAt(t).value().min());
+      EXPECT_EQ(again.scene.actors[i]->boundsAt(t).min(), place.scene.actors[i]->boundsAt(t).min());
       EXPECT_EQ(again.scene.actors[i]->label().id, place.scene.actors[i]->label().id);
     }
   }

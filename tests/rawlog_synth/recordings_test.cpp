@@ -155,7 +155,7 @@ TEST_F(RawlogSynthRecording, WheelsAndInertialSensorComeInOrderOfTime) {
 }
 
 TEST_F(RawlogSynthRecording, AFolderIsOneOfTheTumLayout) {
-  ASSERT_EQ(run("tum", "--seconds 0.3 --rate 10 --lens kinect --odometry --imu"), 0);
+  ASSERT_EQ(run("tum", "--seconds 0.3 --rate 10 --lens kinect --odometry --imu --depth-noise 0"), 0);
   const auto source = sources::openSource(file("tum"), {});
   EXPECT_EQ(source->size(), 3U);
   const auto scan = source->next();

@@ -28,11 +28,11 @@ bool MemberActor::isMovingAt(double t_s) const { return society_->bodyMovesAt(me
 
 double MemberActor::atRestFrom_s() const { return std::numeric_limits<double>::infinity(); }
 
-std::optional<Eigen::AlignedBox3f> MemberActor::boundsAt(double t_s) const {
+Eigen::AlignedBox3f MemberActor::boundsAt(double t_s) const {
   constexpr float kArms_m = 0.95F;  // a stride, or hands and feet in front
   const Eigen::Vector2f p = bodyAt(t_s).p_m.cast<float>();
-  return Eigen::AlignedBox3f{Eigen::Vector3f(p.x() - kArms_m, p.y() - kArms_m, -0.05F),
-                             Eigen::Vector3f(p.x() + kArms_m, p.y() + kArms_m, look_.height_m + 0.1F)};
+  return {Eigen::Vector3f(p.x() - kArms_m, p.y() - kArms_m, -0.05F),
+          Eigen::Vector3f(p.x() + kArms_m, p.y() + kArms_m, look_.height_m + 0.1F)};
 }
 
 MovedActor::MovedActor(Label label, std::shared_ptr<const Society> society, std::size_t thing, Surfaces model)
@@ -55,7 +55,7 @@ Eigen::AlignedBox3f MovedActor::boundsOf(const ThingState& state) const {
   return box_m_.transformed(placeOf(state.p_m, state.z_m, state.heading_rad));
 }
 
-std::optional<Eigen::AlignedBox3f> MovedActor::boundsAt(double t_s) const { return boundsOf(thingAt(t_s)); }
+Eigen::AlignedBox3f MovedActor::boundsAt(double t_s) const { return boundsOf(thingAt(t_s)); }
 
 std::vector<RestInterval> MovedActor::restsUntil(double t_s) const {
   if (label().classId == kPerson) return {};

@@ -15,7 +15,7 @@ class MemberActor : public Actor {
   [[nodiscard]] Surfaces surfacesAt(double t_s) const override;
   [[nodiscard]] bool isMovingAt(double t_s) const override;
   [[nodiscard]] double atRestFrom_s() const override;
-  [[nodiscard]] std::optional<Eigen::AlignedBox3f> boundsAt(double t_s) const override;
+  [[nodiscard]] Eigen::AlignedBox3f boundsAt(double t_s) const override;
   [[nodiscard]] BodyState bodyAt(double t_s) const { return society_->bodyAt(member_, t_s); }
 
  private:
@@ -34,7 +34,7 @@ class MovedActor : public Actor {
   [[nodiscard]] bool isMovingAt(double t_s) const override;
   /// Never, as somebody may always take it away again: see restsUntil().
   [[nodiscard]] double atRestFrom_s() const override;
-  [[nodiscard]] std::optional<Eigen::AlignedBox3f> boundsAt(double t_s) const override;
+  [[nodiscard]] Eigen::AlignedBox3f boundsAt(double t_s) const override;
   [[nodiscard]] std::vector<RestInterval> restsUntil(double t_s) const override;
   [[nodiscard]] ThingState thingAt(double t_s) const { return society_->thingAt(thing_, t_s); }
 
