@@ -12,6 +12,7 @@ class App;
 namespace wardslam::synth {
 
 void declarePlace(CLI::App& app, PlaceOptions& options);
+void declareHospital(CLI::App& app, HospitalOptions& options);
 void declareCamera(CLI::App& app, CameraOptions& options);
 void declareSensor(CLI::App& app, SensorOptions& options);
 void declareOutput(CLI::App& app, OutputOptions& options);

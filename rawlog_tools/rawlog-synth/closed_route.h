@@ -16,6 +16,8 @@ class ClosedRoute {
   /// Begins in the middle of the last side, towards the first corner. Throws std::invalid_argument when a side is too
   /// short for its corners.
   ClosedRoute(const std::vector<Eigen::Vector2d>& corners_m, double radius_m);
+  /// The same with a radius of its own for each corner.
+  ClosedRoute(const std::vector<Eigen::Vector2d>& corners_m, const std::vector<double>& radii_m);
 
   [[nodiscard]] double length_m() const { return static_cast<double>(places_.size()) * step_m_; }
 

@@ -13,8 +13,9 @@ constexpr float kLowest_m = 0.05F;
 constexpr float kHighest_m = 1.8F;
 constexpr double kMargin_m = 0.2;
 
-/// Points of a triangle in a robot's way, as seen from above.
-void sample(const Vertex* corners, std::vector<Eigen::Vector2f>& points_m) {
+/// Calls `use` with points of a triangle in a robot's way, as seen from above.
+template <typename Use>
+void sample(const Vertex* corners, Use&& use) {
   const Eigen::Vector3f& a = corners[0].p_m;
   const Eigen::Vector3f u = corners[1].p_m - a;
   const Eigen::Vector3f v = corners[2].p_m - a;
@@ -26,41 +27,46 @@ void sample(const Vertex* corners, std::vector<Eigen::Vector2f>& points_m) {
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; i + j <= steps; ++j) {
       const Eigen::Vector3f p = a + (static_cast<float>(i) * u + static_cast<float>(j) * v) / static_cast<float>(steps);
-      if (p.z() >= kLowest_m && p.z() <= kHighest_m) points_m.emplace_back(p.head<2>());
+      if (p.z() >= kLowest_m && p.z() <= kHighest_m) use(Eigen::Vector2f(p.head<2>()));
     }
   }
 }
 
-void sample(const Surfaces& surfaces, std::vector<Eigen::Vector2f>& points_m) {
+template <typename Use>
+void sample(const Surfaces& surfaces, Use&& use) {
   for (const Surface& surface : surfaces) {
     const auto& vertices = surface.mesh.vertices;
-    for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) sample(&vertices[i], points_m);
+    for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) sample(&vertices[i], use);
+  }
+}
+
+template <typename Use>
+void sample(const Scene& scene, double until_s, Use&& use) {
+  for (const Thing& thing : scene.things) sample(thing.surfaces, use);
+  for (const auto& actor : scene.actors) {
+    if (restAt(*actor, until_s)) sample(actor->surfacesAt(until_s), use);
   }
 }
 
 }  // namespace
 
 mapping::FloorPlan trueFloor(const Scene& scene, double until_s) {
-  std::vector<Eigen::Vector2f> points_m;
-  for (const Thing& thing : scene.things) sample(thing.surfaces, points_m);
-  for (const auto& actor : scene.actors) {
-    if (actor->atRestFrom_s() < until_s) sample(actor->surfacesAt(actor->atRestFrom_s()), points_m);
-  }
+  // Twice over the same points: those of a whole building are too many to be kept.
+  Eigen::AlignedBox2f extent;
+  sample(scene, until_s, [&](const Eigen::Vector2f& p) { extent.extend(p); });
   mapping::FloorPlan plan;
   plan.resolution_m = kCell_m;
-  if (points_m.empty()) return plan;
+  if (extent.isEmpty()) return plan;
 
-  Eigen::AlignedBox2f extent;
-  for (const auto& p : points_m) extent.extend(p);
   plan.origin_m = extent.min().cast<double>().array() - kMargin_m;
   const Eigen::Vector2d cells = (extent.sizes().cast<double>().array() + 2 * kMargin_m) / kCell_m;
   plan.cells = cv::Mat(static_cast<int>(std::ceil(cells.y())), static_cast<int>(std::ceil(cells.x())), CV_8UC1,
                        cv::Scalar(mapping::FloorPlan::kFree));
-  for (const auto& p : points_m) {
+  sample(scene, until_s, [&](const Eigen::Vector2f& p) {
     const Eigen::Vector2d cell = ((p.cast<double>() - plan.origin_m) / kCell_m).array().floor();
     plan.cells.at<unsigned char>(static_cast<int>(cell.y()), static_cast<int>(cell.x())) =
         mapping::FloorPlan::kOccupied;
-  }
+  });
   return plan;
 }
 

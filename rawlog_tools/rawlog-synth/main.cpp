@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     synth::SynthesisOptions options;
     synth::declareOutput(app, options.output);
     synth::declarePlace(app, options.place);
+    synth::declareHospital(app, options.place.hospital);
     synth::declareCamera(app, options.camera);
     synth::declareSensor(app, options.sensor);
     if (const auto code = apps::parseCommandLine(app, argc, argv)) return *code;

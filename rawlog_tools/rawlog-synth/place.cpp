@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "floor_scene.h"
+#include "hospital/hospital_scene.h"
 #include "ward_scene.h"
 #include "wardslam/core/errors.h"
 
@@ -12,6 +13,7 @@ const std::vector<Place>& places() {
   static const std::vector<Place> all = {
       {"ward", "one room", wardSetting},
       {"floor", "two rooms and a corridor, one round of 41 m a minute", floorSetting},
+      {"hospital", "a storey of more than 1,500 m2, a round of more than 500 m", hospitalSetting},
   };
   return all;
 }

@@ -8,6 +8,7 @@
 
 #include "camera_mount.h"
 #include "floor_truth.h"
+#include "hospital/hospital_options.h"
 #include "scene_builder.h"
 
 namespace wardslam::synth {
@@ -16,6 +17,7 @@ namespace wardslam::synth {
 struct PlaceOptions {
   std::string name = "ward";  ///< One of places().
   SceneOptions scene;
+  HospitalOptions hospital;
 };
 
 /// A place ready to be recorded. World frame: x and y along the walls, z up, floor at z = 0.
@@ -26,6 +28,8 @@ struct Setting {
   double duration_s = 20.0;  ///< Unless the user asks for another.
   /// The true floor plan of what stands at `until_s`.
   std::function<mapping::FloorPlan(const Scene& scene, double until_s)> floorPlan = trueFloor;
+  /// The id of the room around the place, where rooms are known. Empty: they are not.
+  std::function<std::string(const Eigen::Vector2d& p_m)> roomAt;
   /// Writes what else is known of the place into the folder of labels, where there is more. Empty: nothing.
   std::function<void(const std::filesystem::path& labelsFolder, double until_s)> writeFurtherTruth;
 };

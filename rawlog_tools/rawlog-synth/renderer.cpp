@@ -28,7 +28,6 @@ constexpr double kSupersampling = 1.5;
 /// Numbers seen through a lens are looked up in an image this much larger, so that they lie within a quarter pixel.
 constexpr int kNumberScale = 2;
 constexpr float kNear_m = 0.2F;
-constexpr float kFar_m = 30.0F;
 constexpr double kStep_m = 0.4;  ///< Backwards, to look around for what comes into view.
 
 gl::TTriangle toTriangle(const Vertex* corner, const mrpt::img::TColor& color) {
@@ -145,9 +144,9 @@ core::CameraModel wider(core::CameraModel camera) {
   return camera;
 }
 
-void prepare(gl::COpenGLScene& scene, float ambient, float diffuse) {
+void prepare(gl::COpenGLScene& scene, float farthest_m, float ambient, float diffuse) {
   auto& viewport = *scene.getViewport();
-  viewport.setViewportClipDistances(kNear_m, kFar_m);
+  viewport.setViewportClipDistances(kNear_m, farthest_m);
   viewport.setCustomBackgroundColor({0.0F, 0.0F, 0.0F});
   auto& light = viewport.lightParameters();
   core::setWhiteLight(light, ambient, diffuse);
@@ -206,11 +205,6 @@ struct Renderer::Impl {
   [[nodiscard]] cv::Mat drawColors(const Eigen::Isometry3d& T_world_cam);
   [[nodiscard]] TriangleList::View drawNumbers(const Eigen::Isometry3d& T_world_cam);
 
-  struct ActorModel {
-    std::vector<gl::CSetOfTexturedTriangles::Ptr> surfaces;
-    gl::CSetOfTriangles::Ptr flat;
-  };
-
   const Scene& scene;
   LensView lens;
   core::CameraModel camera;  ///< The pinhole that is rendered.
@@ -228,7 +222,8 @@ struct Renderer::Impl {
   gl::CSetOfTriangles::Ptr flatThings = gl::CSetOfTriangles::Create();
   TriangleList triangles;  ///< Those of the static things first.
   std::size_t staticTriangles = 0;
-  std::vector<ActorModel> actors;
+  std::map<Material, gl::CSetOfTexturedTriangles::Ptr> moving;  ///< Of all actors: each texture is there once.
+  std::vector<gl::CSetOfTriangles::Ptr> flatActors;
   std::vector<gl::CSetOfTexturedTriangles::Ptr> opaque;  ///< The building first.
   gl::CSetOfTexturedTriangles::Ptr shadows = shadowSet();
 };
@@ -243,8 +238,8 @@ Renderer::Impl::Impl(const Scene& renderedScene, const core::CameraModel& model)
       colorTarget(makeTarget(largeSize_px, true)),
       numberTarget(makeTarget(numberSize_px, false)),
       chunks(renderedScene) {
-  prepare(colors, 0.74F, 0.36F);
-  prepare(numbers, 1.0F, 0.0F);
+  prepare(colors, scene.farthest_m, 0.74F, 0.36F);
+  prepare(numbers, scene.farthest_m, 1.0F, 0.0F);
   addThings();
   for (const auto& actor : scene.actors) addActor(*actor);
   for (const auto& set : opaque) colors.insert(set);
@@ -267,14 +262,14 @@ void Renderer::Impl::addThings() {
 
 /// Empty sets with the actor's textures; placeActors() fills them.
 void Renderer::Impl::addActor(const Actor& actor) {
-  ActorModel actorModel;
   for (const Surface& surface : actor.surfacesAt(0.0)) {
-    actorModel.surfaces.push_back(texturedSet(scene.textures.at(surface.material)));
-    opaque.push_back(actorModel.surfaces.back());
+    auto& set = moving[surface.material];
+    if (set) continue;
+    set = texturedSet(scene.textures.at(surface.material));
+    opaque.push_back(set);
   }
-  actorModel.flat = gl::CSetOfTriangles::Create();
-  numbers.insert(actorModel.flat);
-  actors.push_back(std::move(actorModel));
+  flatActors.push_back(gl::CSetOfTriangles::Create());
+  numbers.insert(flatActors.back());
 }
 
 /// Fills the sets with the chunks in view and around it, so that they mostly hold them already.
@@ -284,7 +279,7 @@ void Renderer::Impl::placeThings(const Eigen::Isometry3d& T_world_cam, const Fru
   for (std::size_t i = 0; isComplete && i < needed.size(); ++i) isComplete = seen[i] || !needed[i];
   if (isComplete) return;
   seen = chunks.seenFrom(T_world_cam, Frustum(wider(camera), T_world_cam * Eigen::Translation3d(0, 0, -kStep_m),
-                                              static_cast<double>(kFar_m)));
+                                              static_cast<double>(scene.farthest_m)));
   for (std::size_t i = 0; i < needed.size(); ++i) seen[i] = seen[i] || needed[i];
   for (const auto& [material, set] : things) set->clearTriangles();
   flatThings->clearTriangles();
@@ -298,23 +293,23 @@ void Renderer::Impl::placeThings(const Eigen::Isometry3d& T_world_cam, const Fru
 void Renderer::Impl::placeActors(double t_s, const Frustum& frustum) {
   triangles.shrink(staticTriangles);
   shadows->clearTriangles();
-  for (std::size_t i = 0; i < actors.size(); ++i) {
-    actors[i].flat->clearTriangles();
-    for (const auto& set : actors[i].surfaces) set->clearTriangles();
+  for (const auto& [material, set] : moving) set->clearTriangles();
+  for (std::size_t i = 0; i < flatActors.size(); ++i) {
+    flatActors[i]->clearTriangles();
     if (!frustum.mayShow(withItsShadow(scene.actors[i]->boundsAt(t_s)))) continue;
     const Surfaces surfaces = scene.actors[i]->surfacesAt(t_s);
     insertTextured(*shadows, shadowUnder(surfaces, shadowHeight_m(i)));
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       const auto& vertices = surfaces[k].mesh.vertices;
-      insertTextured(*actors[i].surfaces[k], surfaces[k].mesh);
-      insertNumbered(*actors[i].flat, vertices.data(), vertices.size() / 3, triangles.size());
+      insertTextured(*moving.at(surfaces[k].material), surfaces[k].mesh);
+      insertNumbered(*flatActors[i], vertices.data(), vertices.size() / 3, triangles.size());
       triangles.add(surfaces[k].mesh, scene.actors[i]->label().id);
     }
   }
 }
 
 void Renderer::Impl::place(double t_s, const Eigen::Isometry3d& T_world_cam) {
-  const Frustum frustum(camera, T_world_cam, static_cast<double>(kFar_m));
+  const Frustum frustum(camera, T_world_cam, static_cast<double>(scene.farthest_m));
   placeThings(T_world_cam, frustum);
   placeActors(t_s, frustum);
   sortForBlending(T_world_cam);

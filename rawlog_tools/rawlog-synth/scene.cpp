@@ -23,4 +23,10 @@ std::vector<RestInterval> Actor::restsUntil(double t_s) const {
   return {{from_s, std::numeric_limits<double>::infinity(), boundsAt(from_s)}};
 }
 
+std::optional<RestInterval> restAt(const Actor& actor, double t_s) {
+  const std::vector<RestInterval> rests = actor.restsUntil(t_s);
+  if (rests.empty() || rests.back().until_s < t_s) return std::nullopt;
+  return rests.back();
+}
+
 }  // namespace wardslam::synth

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,9 @@ class Actor {
   Label label_;
 };
 
+/// The rest that lasts beyond `t_s`, if it rests then: where a map finds it.
+[[nodiscard]] std::optional<RestInterval> restAt(const Actor& actor, double t_s);
+
 /// All that can be rendered. World frame: x and y along the walls, z up, floor at z = 0; metres.
 struct Scene {
   std::map<Material, cv::Mat> textures;
@@ -74,6 +78,7 @@ struct Scene {
   /// Whether anything of that cell may be seen by a camera there (through open doors, say); what may not is not drawn.
   /// A hint that saves time: it may err towards "yes" only. Empty: everything may be seen.
   std::function<bool(int cell, const Eigen::Isometry3d& T_world_cam)> mayBeSeen;
+  float farthest_m = 30.0F;  ///< Nothing is farther from a camera.
 };
 
 }  // namespace wardslam::synth

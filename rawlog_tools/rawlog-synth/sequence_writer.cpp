@@ -1,5 +1,6 @@
 #include "sequence_writer.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <map>
 #include <sstream>
@@ -60,15 +61,18 @@ std::string classesText(const std::vector<Label>& labels) {
 
 std::string objectsText(const std::vector<StaticObject>& objects) {
   std::ostringstream text;
-  text << "instance_id,name,class_id,class_name,cx,cy,cz,xmin,ymin,zmin,xmax,ymax,zmax,static_from_s\n"
-       << std::fixed << std::setprecision(3);
+  const bool roomsKnown = std::any_of(objects.begin(), objects.end(), [](const auto& o) { return o.room.has_value(); });
+  text << "instance_id,name,class_id,class_name,cx,cy,cz,xmin,ymin,zmin,xmax,ymax,zmax,static_from_s"
+       << (roomsKnown ? ",identity,room\n" : "\n") << std::fixed << std::setprecision(3);
   for (const StaticObject& object : objects) {
     text << object.label.id << "," << object.label.name << "," << static_cast<int>(object.label.classId) << ","
          << object.label.className;
     for (const Eigen::Vector3f& p : {Eigen::Vector3f(object.box_m.center()), object.box_m.min(), object.box_m.max()}) {
       text << "," << p.x() << "," << p.y() << "," << p.z();
     }
-    text << "," << object.restsFrom_s << "\n";
+    text << "," << object.restsFrom_s;
+    if (roomsKnown) text << "," << object.label.id << "," << object.room.value_or("");
+    text << "\n";
   }
   return text.str();
 }

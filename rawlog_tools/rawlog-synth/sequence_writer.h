@@ -17,8 +17,9 @@ namespace wardslam::synth {
 /// A static object of the scene, for objects.csv.
 struct StaticObject {
   Label label;
-  Eigen::AlignedBox3f box_m;  ///< World frame.
-  double restsFrom_s = 0.0;   ///< Seconds after the start; 0 = always.
+  Eigen::AlignedBox3f box_m;                       ///< World frame.
+  double restsFrom_s = 0.0;                        ///< Seconds after the start; 0 = always.
+  std::optional<std::string> room = std::nullopt;  ///< Id of the room around its middle, where rooms are known.
 };
 
 /// A frame as it goes to the disk.

@@ -30,14 +30,20 @@ Eigen::AlignedBox3f boundsOf(const Surfaces& surfaces) {
   return box;
 }
 
-std::vector<StaticObject> staticObjects(const Scene& scene, double seconds) {
+std::vector<StaticObject> staticObjects(const Setting& setting, double seconds) {
+  const Scene& scene = setting.scene;
   std::vector<StaticObject> objects;
   for (const Thing& thing : scene.things) {
-    if (thing.label.id != 0) objects.push_back({thing.label, boundsOf(thing.surfaces), 0.0});
+    // Whoever lies in bed is somebody, not something.
+    const bool isObject = thing.label.id != 0 && thing.label.classId != kPerson;
+    if (isObject) objects.push_back({thing.label, boundsOf(thing.surfaces), 0.0});
   }
   for (const auto& actor : scene.actors) {
-    const double from_s = actor->atRestFrom_s();
-    if (from_s < seconds) objects.push_back({actor->label(), boundsOf(actor->surfacesAt(from_s)), from_s});
+    const auto rest = restAt(*actor, seconds);
+    if (rest) objects.push_back({actor->label(), boundsOf(actor->surfacesAt(seconds)), rest->from_s});
+  }
+  for (StaticObject& object : objects) {
+    if (setting.roomAt) object.room = setting.roomAt(object.box_m.center().head<2>().cast<double>());
   }
   std::sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.label.id < b.label.id; });
   return objects;
@@ -120,7 +126,7 @@ std::size_t synthesise(const SynthesisOptions& options, const std::function<bool
     if (!goOn(++done, total)) break;
   }
   const double seconds = static_cast<double>(done) / rate_hz;
-  writer.finish(staticObjects(setting.scene, seconds), setting.floorPlan(setting.scene, seconds),
+  writer.finish(staticObjects(setting, seconds), setting.floorPlan(setting.scene, seconds),
                 [&](const std::filesystem::path& folder) {
                   if (setting.writeFurtherTruth) setting.writeFurtherTruth(folder, seconds);
                 });

@@ -32,7 +32,7 @@ struct OutfitColours {
   cv::Scalar shoes;
   cv::Scalar skin;
   cv::Scalar hair;
-  enum class Pattern { Scrubs, Polo, Striped } pattern;
+  enum class Pattern { Scrubs, Polo, Striped, Plain, Coat, Gown, Checked } pattern;
 };
 [[nodiscard]] cv::Mat paintOutfit(const OutfitColours& colours, cv::RNG& rng);
 

@@ -32,7 +32,14 @@ enum class Material {
   CorridorWall,  ///< Walls within a building; only where RoomShape has them.
   RoomsWall,
   PartitionWest,
-  PartitionEast
+  PartitionEast,
+  TiledWall,  ///< Only in the hospital, from here on.
+  BareWall,   ///< White, and next to nothing on it.
+  WindowView,
+  DoorLeaf,
+  Signs,
+  Red,
+  OutfitPatient
 };
 
 constexpr int kPosterColumns = 4;

@@ -20,6 +20,38 @@ void cloth(cv::Mat area, const cv::Scalar& colour, cv::RNG& rng) {
   paint::shade(area, paint::noise(area.size(), {6, 6}, 1, rng), 6);
 }
 
+/// What has neither badge nor print.
+void paintPrivateShirt(cv::Mat area, const OutfitColours& colours) {
+  const int w = area.cols;
+  const int h = area.rows;
+  const cv::Scalar dark = colours.shirt * 0.6;
+  const auto both = [&](int halfWidth, int from, int to, const cv::Scalar& colour) {  // across the seam at the front
+    cv::rectangle(area, cv::Rect(0, from, halfWidth, to - from), colour, cv::FILLED);
+    cv::rectangle(area, cv::Rect(w - halfWidth, from, halfWidth, to - from), colour, cv::FILLED);
+  };
+  switch (colours.pattern) {
+    case OutfitColours::Pattern::Coat:
+      both(w / 14, h / 3, h, colours.trousers * 0.5 + cv::Scalar(110, 90, 60));  // the shirt below
+      both(4, 0, h / 3, dark);
+      for (const int x : {w / 8, w - w / 8 - 60}) cv::rectangle(area, cv::Rect(x, h / 4, 60, 70), dark, 3);
+      break;
+    case OutfitColours::Pattern::Gown:
+      for (int y = 12; y < h; y += 36) {
+        for (int x = (y / 36) % 2 * 18; x < w; x += 36) cv::circle(area, {x, y}, 4, dark, cv::FILLED, cv::LINE_AA);
+      }
+      break;
+    case OutfitColours::Pattern::Checked:
+      for (int y = 0; y < h; y += 48) cv::rectangle(area, cv::Rect(0, y, w, 10), dark, cv::FILLED);
+      for (int x = 0; x < w; x += 48) cv::rectangle(area, cv::Rect(x, 0, 10, h), dark, cv::FILLED);
+      both(3, 0, h, colours.shirt * 0.4);
+      break;
+    default:
+      both(10, h * 17 / 20, h, dark);  // the neck of it
+      break;
+  }
+  cv::rectangle(area, cv::Rect(0, 0, w, 8), dark, cv::FILLED);
+}
+
 /// v = 0 is the hem, v = 1 the neck; the front lies around u = 0 (and 1), the back around u = 0.5.
 void paintShirt(cv::Mat area, const OutfitColours& colours, cv::RNG& rng) {
   cloth(area, colours.shirt, rng);
@@ -41,6 +73,12 @@ void paintShirt(cv::Mat area, const OutfitColours& colours, cv::RNG& rng) {
       cv::rectangle(area, cv::Rect(w / 2 - 70, h * 11 / 20, 140, 60), pale, cv::FILLED);  // print on the back
       paint::printLines(area(cv::Rect(w / 2 - 60, h * 11 / 20 + 8, 120, 44)), 16, dark, rng);
       break;
+    case OutfitColours::Pattern::Plain:
+    case OutfitColours::Pattern::Coat:
+    case OutfitColours::Pattern::Gown:
+    case OutfitColours::Pattern::Checked:
+      paintPrivateShirt(area, colours);
+      return;
   }
   cv::rectangle(area, cv::Rect(26, h * 13 / 20, 34, 44), cv::Scalar::all(242), cv::FILLED);  // name badge
   paint::printLines(area(cv::Rect(28, h * 13 / 20 + 16, 30, 26)), 8, {120, 60, 40}, rng);

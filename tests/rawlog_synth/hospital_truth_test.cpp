@@ -1,0 +1,75 @@
+#include "hospital/hospital_truth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "hospital/hospital_furnishing.h"
+#include "support/temporary_folder.h"
+#include "wardslam/mapping/zones.h"
+
+namespace wardslam::synth {
+namespace {
+
+class HospitalTruth : public ::testing::Test {
+ protected:
+  HospitalPlan plan = planHospital(1);
+  HospitalDay today = daysLater(plan, furnish(plan, 1, true), 2, 1);
+};
+
+TEST_F(HospitalTruth, RoomsAreClosedPolygonsAndDoorsLinesBetweenThem) {
+  const auto json = nlohmann::json::parse(roomsGeoJson(plan));
+  std::size_t rooms = 0;
+  std::size_t doors = 0;
+  for (const auto& feature : json["features"]) {
+    const auto& coordinates = feature["geometry"]["coordinates"];
+    if (feature["properties"]["what"] == "room") {
+      ++rooms;
+      EXPECT_EQ(feature["geometry"]["type"], "Polygon");
+      ASSERT_EQ(coordinates[0].size(), 5U);
+      EXPECT_EQ(coordinates[0].front(), coordinates[0].back());
+    } else if (feature["properties"]["what"] == "door") {
+      ++doors;
+      EXPECT_EQ(coordinates.size(), 2U);
+      EXPECT_EQ(feature["properties"]["rooms"].size(), 2U);
+    }
+  }
+  EXPECT_EQ(rooms, plan.rooms.size());
+  EXPECT_EQ(doors, plan.doors.size());
+}
+
+TEST_F(HospitalTruth, ZonesAreReadAsZones) {
+  const test::TemporaryFolder folder;
+  const auto zones = mapping::Zones::fromFile(folder.write("zones.yaml", zonesYaml(plan)));
+  EXPECT_EQ(zones.all().size(), plan.rooms.size());
+}
+
+TEST_F(HospitalTruth, EveryChangeIsALineWithTwoPlaces) {
+  std::istringstream text(daysCsv(plan, today));
+  std::string line;
+  std::getline(text, line);
+  EXPECT_EQ(line, "day,identity,name,class_name,what,from_room,from_x,from_y,from_yaw,to_room,to_x,to_y,to_yaw");
+  std::size_t lines = 0;
+  for (; std::getline(text, line); ++lines) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 12) << line;
+    const bool isNew = line.find(",new,,,,,") != std::string::npos;
+    const bool isGone = line.find(",gone,") != std::string::npos && line.substr(line.size() - 4) == ",,,,";
+    EXPECT_EQ(isNew, line.find(",new,") != std::string::npos) << line;
+    EXPECT_EQ(isGone, line.find(",gone,") != std::string::npos) << line;
+  }
+  EXPECT_EQ(lines, today.changes.size());
+}
+
+TEST_F(HospitalTruth, ThePlanIsDrawn) {
+  const HospitalRoute route(plan, {RouteKind::Round, 0}, 1);
+  const cv::Mat picture = planPicture(plan, today, route, 30.0);
+  EXPECT_NEAR(picture.cols, plan.size_m.x() * 40 + 60, 2);
+  EXPECT_NEAR(picture.rows, plan.size_m.y() * 40 + 60, 2);
+  const cv::Mat without = planPicture(plan, today, route, 0.0);
+  EXPECT_GT(cv::norm(picture, without, cv::NORM_L1), 1000.0) << "the way that was driven";
+}
+
+}  // namespace
+}  // namespace wardslam::synth
