@@ -194,6 +194,27 @@ TEST_F(MapFileWriterTest, AnEarlierMapStaysUntilTheFirstKeyframe) {
   EXPECT_EQ(MapFile::open(path_).header().options, "deterministic: false\n");
 }
 
+TEST_F(MapFileWriterTest, InPlaceOfAnotherMapOrNotTheSameIsWritten) {
+  const auto bytes = [&] {
+    MapFileWriter writer(folder_.path() / "again.wardmap", {ward_.labels, ""});
+    mapping::MapBuilder builder{{}, {ward_.labels, {}, mapping::Zones(ward_.zones)}};
+    graph::Mapper mapper{{}, {}};
+    for (const odometry::KeyframeId id : {1, 2}) {
+      const auto view = test::makeView(id, ward_);
+      builder.addKeyframe(*view);
+      writer.add(view);
+      const auto update = mapper.insert(view);
+      builder.apply(update);
+      writer.apply(update);
+      writer.write(builder);
+    }
+    writer.finish(builder, mapper);
+    return test::readText(folder_.path() / "again.wardmap");
+  };
+  const std::string once = bytes();
+  EXPECT_TRUE(bytes() == once);
+}
+
 TEST_F(MapFileWriterTest, GoesOnWithAMapThatIsThere) {
   const auto path = folder_.path() / "earlier.wardmap";
   {

@@ -109,8 +109,14 @@ SQLite::Database connect(const fs::path& file) {
   return {file.string(), writable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY, MapFile::kPatience_ms};
 }
 
+void commit(SQLite::Database& database, const MapChanges& changes) {
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  writeChanges(database, changes);
+  transaction.commit();
+}
+
 /// Under a name of its own, so that `file` is a map as soon as it is there.
-void makeDatabase(const fs::path& file, const MapHeader& header, const MapChanges& content) {
+void makeDatabase(const fs::path& file, const MapHeader& header, const MapChanges* content) {
   if (fs::is_directory(file)) throw core::InputError(file.string() + ": is a folder");
   const fs::path partial = partialOf(file);
   removeDatabase(partial);
@@ -120,8 +126,9 @@ void makeDatabase(const fs::path& file, const MapHeader& header, const MapChange
     migrateSchema(database);
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
     writeHeader(database, header);
-    writeChanges(database, content);
     transaction.commit();
+    // In a transaction of its own, as later changes are: SQLite counts them in the file.
+    if (content) commit(database, *content);
   });
 }
 
@@ -147,17 +154,23 @@ MapFile::MapFile(MapFile&&) noexcept = default;
 MapFile& MapFile::operator=(MapFile&&) noexcept = default;
 
 void MapFile::requireThatOneCanBeMade(const fs::path& file) {
-  makeDatabase(file, {}, {});
+  makeDatabase(file, {}, nullptr);
   removeDatabase(partialOf(file));
 }
 
+MapFile MapFile::create(const fs::path& file, const MapHeader& header) { return createWith(file, header, nullptr); }
+
 MapFile MapFile::create(const fs::path& file, const MapHeader& header, const MapChanges& content) {
+  MapFile created = createWith(file, header, &content);
+  if (!content.fusedPoints.empty()) created.remember(content.fusedPoints);
+  return created;
+}
+
+MapFile MapFile::createWith(const fs::path& file, const MapHeader& header, const MapChanges* content) {
   makeDatabase(file, header, content);
   removeJournals(file);  // of the map that was there; they would be played back into the new one
   core::replaceFile(partialOf(file), file);
-  MapFile created = open(file, MapAccess::Write);
-  if (!content.fusedPoints.empty()) created.remember(content.fusedPoints);
-  return created;
+  return open(file, MapAccess::Write);
 }
 
 void MapFile::remember(const std::map<odometry::PointId, odometry::PointId>& fusedPoints) {
@@ -186,9 +199,7 @@ MapFile MapFile::open(const fs::path& file, MapAccess access) {
 void MapFile::write(const MapChanges& changes, int patience_ms) {
   guarded(connection_->file, [&] {
     connection_->database.setBusyTimeout(patience_ms);
-    SQLite::Transaction transaction(connection_->database, SQLite::TransactionBehavior::IMMEDIATE);
-    writeChanges(connection_->database, changes);
-    transaction.commit();
+    commit(connection_->database, changes);
   });
 }
 
@@ -205,9 +216,7 @@ void MapFile::writeBeside(const MapChanges& changes) {
       SQLite::Database copy(partial.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience_ms);
       SQLite::Backup(copy, source).executeStep();
       configure(copy);
-      SQLite::Transaction transaction(copy, SQLite::TransactionBehavior::IMMEDIATE);
-      writeChanges(copy, changes);
-      transaction.commit();
+      commit(copy, changes);
     }
     core::replaceFile(partial, file);
   });

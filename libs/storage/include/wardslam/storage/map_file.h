@@ -87,9 +87,12 @@ class MapFile {
  public:
   static constexpr int kPatience_ms = 5000;
 
+  /// Makes an empty map, in place of a file that may be there.
+  [[nodiscard]] static MapFile create(const std::filesystem::path& file, const MapHeader& header = {});
+
   /// Makes a map that holds so much, in place of a file that may be there: whatever happens, that or the new one is.
-  [[nodiscard]] static MapFile create(const std::filesystem::path& file, const MapHeader& header = {},
-                                      const MapChanges& content = {});
+  [[nodiscard]] static MapFile create(const std::filesystem::path& file, const MapHeader& header,
+                                      const MapChanges& content);
 
   /// Leaves a file that may be there alone. Throws core::InputError where create() would.
   static void requireThatOneCanBeMade(const std::filesystem::path& file);
@@ -122,6 +125,10 @@ class MapFile {
  private:
   struct Connection;
   explicit MapFile(std::unique_ptr<Connection> connection);
+
+  /// Null: an empty map.
+  [[nodiscard]] static MapFile createWith(const std::filesystem::path& file, const MapHeader& header,
+                                          const MapChanges* content);
 
   /// Sightings under old ids may still come, also after the file was opened anew.
   void remember(const std::map<odometry::PointId, odometry::PointId>& fusedPoints);
