@@ -45,7 +45,10 @@ TEST(DefaultRun, MakesTheMapOfADeterministicOne) {
   expectWithin(kShare, static_cast<double>(found.fans), static_cast<double>(wanted.fans), "free fans");
   expectWithin(kShare, static_cast<double>(found.objects), static_cast<double>(wanted.objects), "things");
   expectWithin(kShare, found.free_m2, wanted.free_m2, "free floor");
-  EXPECT_EQ(floorRunWithThreads().summary().at("events"), floorRun().summary().at("events"));
+  for (const auto& [event, count] : floorRunWithThreads().summary().at("events").items()) {
+    EXPECT_NE(event.rfind("mapping.", 0), 0U) << event << ": " << count;
+    EXPECT_NE(event.rfind("storage.", 0), 0U) << event << ": " << count;
+  }
 }
 
 /// A camera does not wait; views of keyframes are worked in, and what is left out is counted.

@@ -70,8 +70,10 @@ TEST_F(RunTrouble, ARawlogWhoseStampsGoBack) {
 
 TEST_F(RunTrouble, AnExceptionInALibrary) {
   const test::RoomRecording room(kImages);
-  const auto config = folder.write("failing.yaml", "filters: [{class_name: 'third_party::FailingFilter', plugin: '" +
-                                                       std::string(WARDSLAM_TEST_PLUGIN) + "'}]\n");
+  const auto config = folder.write("failing.yaml",
+                                   "filters:\n  - class_name: wardslam::filters::SemanticDynamicFilter\n"
+                                   "  - {class_name: 'third_party::FailingFilter', plugin: '" +
+                                       std::string(WARDSLAM_TEST_PLUGIN) + "'}\n");
   for (const Arguments& how : {Arguments{}, {"--deterministic"}}) {
     fs::remove_all(out);
     Arguments arguments = {"--config", config, "--masks", room.masks()};
