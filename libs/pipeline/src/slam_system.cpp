@@ -11,9 +11,9 @@
 namespace wardslam::pipeline {
 namespace {
 
-std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const graph::SavedGraph& earlier) {
+std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const EarlierMap& earlier) {
   auto mapper = std::make_unique<graph::Mapper>(options.graph, options.odometry);
-  mapper->restore(earlier);
+  mapper->restore(earlier.graph, earlier.use);
   return mapper;
 }
 
@@ -68,7 +68,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier)
     : options_(options),
       frontEnd_(options, continuationOf(earlier.graph)),
       zones_(zonesOf(options, earlier.semantic)),
-      graphBuilding_(makeMapper(options, earlier.graph), threadOf(options)) {
+      graphBuilding_(makeMapper(options, earlier), threadOf(options)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
   requireSameNames(labelSpace(), earlier.semantic);
   addObserver(trajectory_);
@@ -116,7 +116,7 @@ void SlamSystem::insert(const std::shared_ptr<const odometry::Keyframe>& keyfram
 void SlamSystem::finish() {
   if (!mapper_) {
     mapper_ = graphBuilding_.finish();
-    mapper_->adjustAll();
+    mapUpdates_.put(mapper_->adjustAll());
   }
   for (const auto& update : mapUpdates_.takeAll()) {
     trajectory_.apply(update);
