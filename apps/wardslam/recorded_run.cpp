@@ -129,6 +129,11 @@ storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamS
   return {run.out / "map.wardmap", storage::MapHeader{slam.labelSpace(), slam.configuration()}};
 }
 
+pipeline::EarlierMap earlierMapOf(const RecordedRun& run) {
+  if (run.map.empty()) return {};
+  return pipeline::readEarlierMap(run.map, run.localize ? graph::Saved::IsHeld : graph::Saved::MayChange);
+}
+
 /// Without a place in common, the poses of the run say nothing about the map.
 void requireRecognition(const RecordedRun& run, const pipeline::SlamSystem& slam) {
   if (run.map.empty() || slam.recognisedAt_s()) return;
@@ -158,8 +163,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   }
   sources::ObservationSource& source = live ? live->source() : *recording;
   std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
-  pipeline::SlamSystem slam(run.options, run.map.empty() ? pipeline::EarlierMap{} : pipeline::readEarlierMap(run.map),
-                            whenBehind(run, live.has_value()));
+  pipeline::SlamSystem slam(run.options, earlierMapOf(run), whenBehind(run, live.has_value()));
   slam.setDepthNoise(source.depthNoise());
   std::optional<DynamicTruth> truth;
   if (!run.dynamicTruth.empty()) truth.emplace(run.dynamicTruth);

@@ -12,9 +12,9 @@
 namespace wardslam::pipeline {
 namespace {
 
-std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const graph::SavedGraph& earlier) {
+std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const EarlierMap& earlier) {
   auto mapper = std::make_unique<graph::Mapper>(options.graph, options.odometry);
-  mapper->restore(earlier);
+  mapper->restore(earlier.graph, earlier.use);
   return mapper;
 }
 
@@ -82,7 +82,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, Wh
     : options_(options),
       frontEnd_(options, continuationOf(earlier.graph)),
       zones_(zonesOf(options, earlier.semantic)),
-      graphBuilding_(makeMapper(options, earlier.graph), threadOf(options), graphCapacity(whenBehind)) {
+      graphBuilding_(makeMapper(options, earlier), threadOf(options), graphCapacity(whenBehind)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
   requireSameNames(labelSpace(), earlier.semantic);
   addObserver(trajectory_);
@@ -150,7 +150,7 @@ void SlamSystem::finishGraph() {
   failure.attempt([this] { mapper_ = graphBuilding_.finish(); });
   if (!mapper_) mapper_ = graphBuilding_.giveUp();
   failure.rethrow();
-  mapper_->adjustAll();
+  mapUpdates_.put(mapper_->adjustAll());
 }
 
 core::EventCounts SlamSystem::leftOut() const {
