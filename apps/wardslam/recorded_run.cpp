@@ -18,6 +18,7 @@
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/pipeline/zone_watch.h"
 #include "wardslam/sources/observation_source.h"
+#include "wardslam/storage/map_copy.h"
 #include "wardslam/storage/map_file_writer.h"
 #include "wardslam/viewer/live_window.h"
 
@@ -87,9 +88,19 @@ void requireSoundInput(const sources::ObservationSource& source, const pipeline:
   }
 }
 
-storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamSystem& slam) {
-  if (!run.map.empty()) return storage::MapFileWriter(storage::MapFile::open(run.map, storage::MapAccess::Write));
+storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamSystem& slam,
+                                   const std::optional<storage::MapCopy>& copy) {
+  if (copy) return storage::MapFileWriter(storage::MapFile::open(copy->path(), storage::MapAccess::Write));
   return {run.out / "map.wardmap", storage::MapHeader{slam.labelSpace(), slam.configuration()}};
+}
+
+/// What goes on in a map changes a copy of it, which takes its place once it has grown by this run.
+void settle(const storage::MapCopy& copy, bool isRecognised) {
+  if (isRecognised) {
+    copy.takePlace();
+  } else {
+    copy.remove();
+  }
 }
 
 /// Without a place in common, the poses of the run say nothing about the map.
@@ -111,6 +122,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
     recording = sources::openSource(run.input, sourceOptions(run, trouble));
   }
   sources::ObservationSource& source = live ? live->source() : *recording;
+  std::optional<storage::MapCopy> mapCopy;
   std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
   pipeline::SlamSystem slam(run.options, run.map.empty() ? pipeline::EarlierMap{} : pipeline::readEarlierMap(run.map));
   slam.setDepthNoise(source.depthNoise());
@@ -132,7 +144,8 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   if (truth) slam.addObserver(*truth);
 
   if (slam.buildsSemanticMap()) {
-    mapFile.emplace(openMapFile(run, slam));
+    if (!run.map.empty()) mapCopy.emplace(run.map);
+    mapFile.emplace(openMapFile(run, slam, mapCopy));
     slam.writeTo(*mapFile);
   }
   std::exception_ptr failure;
@@ -146,6 +159,8 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   if (mapFile) {
     try {
       mapFile->finish(*slam.mapBuilder(), slam.mapper());
+      mapFile.reset();
+      if (mapCopy) settle(*mapCopy, slam.recognisedAt_s().has_value());
     } catch (const core::InputError&) {
       if (!failure) failure = std::current_exception();
     }

@@ -43,8 +43,8 @@ std::string poseLine(const std::string& stampText, const Eigen::Isometry3d& T) {
 
 }  // namespace
 
-RoomRecording::RoomRecording(int images, int listed) {
-  const TexturedRoom room;
+RoomRecording::RoomRecording(int images, int listed, std::uint64_t seed) {
+  const TexturedRoom room(seed);
   for (int image = 0; image < images; ++image) {
     const auto view = room.look(TexturedRoom::T_room_cam(image));
     cv::Mat units;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "wardslam/graph/saved_graph.h"
+#include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/semantic_map.h"
 
 namespace wardslam::pipeline {
@@ -12,6 +13,7 @@ namespace wardslam::pipeline {
 struct EarlierMap {
   graph::SavedGraph graph;
   mapping::SemanticMap semantic;  ///< Without keyframes: only where the camera is matters.
+  mapping::MapMemory memory{};    ///< Of the semantic map; empty: made up from what that shows.
 };
 
 /// Throws core::InputError naming the file when it is damaged or holds nothing a camera could be recognised by.

@@ -71,7 +71,8 @@ class SlamSystem {
   /// Frames that came faster than they could be worked into the semantic map and were left out of it.
   [[nodiscard]] std::size_t viewsLeftOut() const { return mapBuilding_ ? mapBuilding_->leftOut() : 0; }
 
-  /// Time of the first image from which on the earlier map was recognised. Nothing: it was not, or there is none.
+  /// Time of the first image from which on the earlier map was recognised; of the last image, where that is found out
+  /// in finish(). Nothing: it was not, or there is none.
   [[nodiscard]] std::optional<double> recognisedAt_s() const { return recognisedAt_s_; }
 
   /// Must outlive this object.
@@ -86,11 +87,13 @@ class SlamSystem {
 
  private:
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
+  void noteRecognition(const odometry::MapUpdate& update);
 
   SlamOptions options_;
   FrontEnd frontEnd_;
   mapping::Zones zones_;
   bool hasEarlierMap_ = false;
+  double lastStamp_s_ = 0.0;
   std::optional<double> recognisedAt_s_;
   TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;

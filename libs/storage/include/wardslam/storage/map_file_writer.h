@@ -18,7 +18,8 @@ class MapFileWriter {
   /// Makes an empty map in place of a file that may be there. Throws core::InputError when that cannot be.
   MapFileWriter(const std::filesystem::path& file, const MapHeader& header);
 
-  /// Goes on with the map of an earlier run, opened for writing.
+  /// Goes on with the map of an earlier run, opened for writing. With the first write its floor plan is gone, for it is
+  /// not that of the growing map, and zones and class names are those of this run.
   explicit MapFileWriter(MapFile file);
 
   /// A new keyframe, and what the graph found out about earlier ones; in the order in which the builder hears of them.
@@ -37,6 +38,9 @@ class MapFileWriter {
   void commit(const MapChanges& changes);
 
   MapFile file_;
+  bool goesOn_ = false;    ///< In a map that was there.
+  bool hasBegun_ = false;  ///< What holds for the whole run is in the file.
+  std::set<odometry::KeyframeId> changedTiles_;
   std::set<odometry::KeyframeId> written_;
   mapping::MapParts unwritten_;  ///< Of the builder.
   MapChanges pending_;           ///< Of the graph.
