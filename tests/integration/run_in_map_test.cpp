@@ -73,7 +73,7 @@ TEST_F(RunInMap, WritesTheZonesItIsGiven) {
 
 TEST_F(RunInMap, LeavesAMapItDoesNotRecogniseToTheByte) {
   const std::string before = readText(map());
-  const RoomRecording elsewhere(8, 0, 99);
+  const RoomRecording elsewhere(8, 0, 1000.0, 99);
   const auto result = runProgram("wardslam", {"run", elsewhere.path().string(), "--filter", "off", "--deterministic",
                                               "--out", path("second"), "--map", map()});
   EXPECT_EQ(result.exitCode, 1);
