@@ -128,6 +128,20 @@ TEST_F(MapperTest, AHeldMapStaysAsItIsToTheLastBitAndWhatComesIsFittedToIt) {
   }
 }
 
+TEST_F(MapperTest, TakesBackTheLoopsOfAnEarlierMap) {
+  Mapper earlier(fewAndFast(), {});
+  walk(earlier, kSlip);
+  ASSERT_GE(earlier.loops().size(), 1U);
+  SavedGraph saved = save(earlier.graph());
+  saved.loops = earlier.loops();
+  saved.loops.emplace_back().newer = 9999;  // a keyframe the map does not hold
+  Mapper mapper(fewAndFast(), {});
+  mapper.restore(saved);
+  ASSERT_EQ(mapper.loops().size(), earlier.loops().size());
+  EXPECT_EQ(mapper.loops().front().older, earlier.loops().front().older);
+  EXPECT_EQ(mapper.loopsClosed(), 0U) << "not by this run";
+}
+
 TEST_F(MapperTest, LeavesTheSlipWhenToldToCloseNothing) {
   GraphOptions options = fewAndFast();
   options.close_loops = false;

@@ -42,6 +42,7 @@ class MapBuilderTest : public testing::Test {
   static MapSetting setting() {
     MapSetting setting;
     setting.moving.set(scene::kPerson);
+    setting.movable.set(scene::kChair);
     return setting;
   }
 

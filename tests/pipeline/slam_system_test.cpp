@@ -234,6 +234,26 @@ TEST_F(SlamSystemTest, LocalisesInAMapWithoutMovingIt) {
   }
 }
 
+/// The one keyframe is mostly worked in when no image comes any more.
+TEST_F(SlamSystemTest, TellsThatTheMapWasRecognisedAlsoWhenThatIsFoundOutInTheEnd) {
+  SlamOptions options = withoutFilters();
+  options.deterministic = true;
+  EarlierMap earlier;
+  SlamSystem first(options);
+  for (int image = 0; image < 10; ++image) first.process(observe(room_, image));
+  first.finish();
+  earlier.graph = graph::save(first.mapper().graph());
+  earlier.semantic = first.semanticMap();
+  for (const bool deterministic : {true, false}) {
+    options.deterministic = deterministic;
+    SlamSystem second(options, earlier);
+    second.process(observe(room_, 3));
+    second.finish();
+    ASSERT_EQ(second.mapper().submapsJoined(), 1U) << deterministic;
+    EXPECT_TRUE(second.recognisedAt_s()) << deterministic;
+  }
+}
+
 TEST_F(SlamSystemTest, ClassesOfAnEarlierMapMustMeanTheSame) {
   EarlierMap earlier;
   earlier.semantic.labels.rename(60, "operating table");

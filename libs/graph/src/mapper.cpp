@@ -69,6 +69,10 @@ void Mapper::restore(const SavedGraph& saved, Saved use) {
     graph_.restore(keyframe, saved.p_map_m);
     rememberPlace(keyframe->id);
   }
+  for (const Loop& loop : saved.loops) {
+    const bool isTied = graph_.keyframes().count(loop.older) > 0 && graph_.keyframes().count(loop.newer) > 0;
+    if (isTied) loops_.push_back(loop);
+  }
   if (use == Saved::IsHeld) graph_.hold();
   places_.build();
 }

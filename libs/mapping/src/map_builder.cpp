@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "detections.h"
 #include "object_database.h"
 #include "object_table.h"
+#include "recognition.h"
 #include "same_things.h"
 #include "semantic_cloud.h"
 #include "things_in_hands.h"
@@ -23,6 +23,9 @@ constexpr float kUnclassifiedWeight = 0.25F;
 
 /// Points are taken for seen through only when everything so near (px) to them is farther away.
 constexpr int kSeenThroughMargin_px = 2;
+
+/// One record of two, when it is more probable than all else together.
+constexpr double kSurelyOne = 0.5;
 
 cv::Mat nearestAround(const cv::Mat& depth_m) {
   const int side = 2 * kSeenThroughMargin_px + 1;
@@ -52,12 +55,13 @@ class MapBuilder::Impl {
   Impl(const MappingOptions& options, MapSetting setting)
       : options_(options), setting_(std::move(setting)), table_(options.objects) {}
 
-  void restore(const SemanticMap& earlier);
+  void restore(const SemanticMap& earlier, const MapMemory& memory);
   void addKeyframe(const odometry::Keyframe& keyframe);
   void apply(const odometry::MapUpdate& update);
   void add(const View& view);
   SemanticMap map();
   SemanticMap map(const MapParts& parts);
+  [[nodiscard]] MapMemory memory(const std::set<KeyframeId>& tiles) const;
   MapParts takeChanges();
 
  private:
@@ -68,13 +72,11 @@ class MapBuilder::Impl {
   [[nodiscard]] std::map<KeyframeId, Eigen::Isometry3d> withYounger(const odometry::MapUpdate& update) const;
   void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
   const cv::Mat& raysOf(const core::CameraModel& camera);
-  std::vector<ObjectId> recogniseObjects(Part& part, const View& view,
-                                         const std::vector<std::optional<PointRef>>& points,
-                                         const std::vector<Detection>& detections,
-                                         const std::map<ObjectId, std::size_t>& inSight);
+  std::vector<ObjectId> recogniseObjects(Part& part, const View& view, const Recognition& seen);
   void takeMerges(Part& part);
   void removeGone(Part& part, const std::vector<ObjectId>& gone);
   void refresh();
+  void restoreObjects(const SemanticMap& earlier, const MapMemory& memory);
   void mergeSameBoxes();
   void reuniteMoved();
   void describeTouched();
@@ -94,21 +96,40 @@ class MapBuilder::Impl {
   cv::Mat rays_;
 };
 
-void MapBuilder::Impl::restore(const SemanticMap& earlier) {
+void MapBuilder::Impl::restore(const SemanticMap& earlier, const MapMemory& memory) {
   constexpr std::uint32_t kSubmap = 0;
   first_ = kSubmap;
   Part& main = part(kSubmap);
   for (const auto& [id, keyframe] : earlier.keyframes) {
     keyframes_[id] = {kSubmap, keyframe.stamp_s, keyframe.T_map_cam, keyframe.freeFan_cam_m};
-    const auto tile = earlier.cloud.find(id);
-    main.cloud.restore(id, keyframe.T_map_cam, tile == earlier.cloud.end() ? SemanticCloudTile{} : tile->second);
+    if (setting_.zones.at(keyframe.T_map_cam.translation().head<2>()) != keyframe.zone) changes_.keyframes.insert(id);
+    const auto known = memory.tiles.find(id);
+    const auto shown = earlier.cloud.find(id);
+    if (known != memory.tiles.end()) {
+      main.cloud.restore(id, keyframe.T_map_cam, known->second);
+    } else {
+      main.cloud.restore(id, keyframe.T_map_cam, shown == earlier.cloud.end() ? SemanticCloudTile{} : shown->second);
+    }
   }
+  restoreObjects(earlier, memory);
+  static_cast<void>(main.cloud.takeChanges());  // the earlier run has written them
+  static_cast<void>(main.cloud.takeChangedObjects());
+}
+
+void MapBuilder::Impl::restoreObjects(const SemanticMap& earlier, const MapMemory& memory) {
+  ObjectDatabase& objects = part(*first_).objects;
+  nextId_ = earlier.nextObjectId;
   for (const auto& [id, object] : earlier.objects) {
-    main.objects.restore(id, ObjectRecord::from(object));
+    objects.restore(id, ObjectRecord::from(object, options_.objects.min_evidence));
     table_.restore(object);
+    if (setting_.zones.at(object.centroid_m.head<2>()) != object.zone) changes_.objects.insert(id);
     nextId_ = std::max(nextId_, id + 1);
   }
-  static_cast<void>(main.cloud.takeChanges());  // the earlier run has written them
+  for (const auto& [id, object] : memory.objects) {
+    objects.restore(id, ObjectRecord(object));
+    nextId_ = std::max(nextId_, id + 1);
+  }
+  objects.restore(memory.pairs);
 }
 
 void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
@@ -209,7 +230,7 @@ void MapBuilder::Impl::add(const View& view) {
   const auto cell_m = static_cast<float>(options_.cloud.voxel_m);
 
   const auto look = part.cloud.look(view.camera, T_map_cam, view.depth_m, nearestAround(view.depth_m));
-  removeGone(part, part.objects.erase(look.erased, part.cloud.pointCounts()));
+  removeGone(part, part.objects.erase(look.erased, part.cloud.pointCounts(), view.stamp_s));
   const cv::Mat usable = usablePixels(view, setting_.moving, options_.cloud);
   const auto samples = sampleView(view, T_map_cam, raysOf(view.camera), usable, cell_m, options_.cloud.pixel_step);
   const auto points = part.cloud.recognise(samples, T_map_cam.translation());
@@ -218,7 +239,7 @@ void MapBuilder::Impl::add(const View& view) {
     const Eigen::Vector3f place_m = (T_map_cam * thing.p_cam_m).cast<float>();
     part.objects.noteHandled(thing.classId, place_m, view.stamp_s);
   }
-  const auto objects = recogniseObjects(part, view, points, detections, look.inSight);
+  const auto objects = recogniseObjects(part, view, {samples, points, detections, look.inSight});
 
   std::vector<SemanticCloud::LabelVote> votes(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -234,28 +255,11 @@ void MapBuilder::Impl::add(const View& view) {
   touched_.insert(objects.begin(), objects.end());
 }
 
-std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View& view,
-                                                         const std::vector<std::optional<PointRef>>& points,
-                                                         const std::vector<Detection>& detections,
-                                                         const std::map<ObjectId, std::size_t>& inSight) {
-  const auto objectAt = [&](std::size_t i) { return points[i] ? part.cloud.at(*points[i]).object : 0; };
-  std::vector<Evidence> evidence;
-  for (const Detection& detection : detections) {
-    Evidence& e = evidence.emplace_back();
-    e.classId = detection.classId;
-    e.confidence = detection.confidence;
-    e.size = detection.samples.size();
-    e.place_m = detection.centroid_m;
-    for (const std::size_t i : detection.samples) {
-      if (const ObjectId id = objectAt(i)) ++e.onObjects[id];
-    }
-    e.underMask = e.onObjects;
-    for (const std::size_t i : detection.doubtful) {
-      if (const ObjectId id = objectAt(i)) ++e.underMask[id];
-    }
-  }
+std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View& view, const Recognition& seen) {
+  const auto evidence = evidenceOf(seen, part.cloud, setting_.movable, options_.cloud.max_range_m);
   const bool canMiss = !view.segmentation.empty();
-  return part.objects.observe(evidence, canMiss ? inSight : std::map<ObjectId, std::size_t>{}, view.stamp_s, nextId_);
+  return part.objects.observe(evidence, canMiss ? seen.inSight : std::map<ObjectId, std::size_t>{}, view.stamp_s,
+                              nextId_);
 }
 
 void MapBuilder::Impl::takeMerges(Part& part) {
@@ -304,14 +308,18 @@ void MapBuilder::Impl::mergeSameBoxes() {
 
 void MapBuilder::Impl::reuniteMoved() {
   Part& main = part(*first_);
-  for (const auto& [id, object] : table_.rows()) {
-    if (object.state == ObjectState::Gone || main.objects.objects().count(id) == 0) continue;  // may just have merged
-    const std::vector<ObjectId> lost = earlierPlacesOf(object, table_, main.objects, main.cloud);
-    if (lost.empty()) continue;
-    removeGone(main, lost);
-    touched_.insert(id);
-    main.objects.reunite(lost, id);
+  std::map<ObjectId, MaybeSame> hints;
+  for (const auto& pair : reappearances(table_, main.objects, setting_.movable, options_.objects)) {
+    if (pair.isWitnessed && pair.probability > kSurelyOne) {
+      removeGone(main, {pair.lost});
+      touched_.insert({pair.lost, pair.found});
+      main.objects.reunite(pair.lost, pair.found);
+      continue;
+    }
+    MaybeSame& hint = hints[pair.found];
+    if (pair.probability > hint.probability) hint = {pair.lost, pair.probability};
   }
+  changes_.objects.merge(table_.hint(hints));
 }
 
 SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
@@ -335,9 +343,7 @@ SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
 }
 
 SemanticMap MapBuilder::Impl::map() {
-  if (first_) {  // small corrections, too
-    for (const auto& [id, count] : part(*first_).cloud.pointCounts()) touched_.insert(id);
-  }
+  if (first_) touched_.merge(part(*first_).cloud.takeChangedObjects());  // small corrections, too
   refresh();
   MapParts all;
   for (const auto& [id, keyframe] : keyframes_) {
@@ -354,6 +360,7 @@ SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
   SemanticMap map;
   map.labels = setting_.labels;
   map.zones = setting_.zones.all();
+  map.nextObjectId = nextId_;
   for (const KeyframeId id : parts.keyframes) {
     const auto entry = keyframes_.find(id);
     if (entry == keyframes_.end() || entry->second.submap != first_) continue;
@@ -375,6 +382,19 @@ SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
   return map;
 }
 
+MapMemory MapBuilder::Impl::memory(const std::set<KeyframeId>& tiles) const {
+  MapMemory memory;
+  const auto main = first_ ? parts_.find(*first_) : parts_.end();
+  if (main == parts_.end()) return memory;
+  for (const KeyframeId id : tiles) {
+    const Tile* tile = main->second.cloud.find(id);
+    if (tile != nullptr && !tile->points.empty()) memory.tiles[id] = SemanticCloud::remember(*tile);
+  }
+  for (const auto& [id, record] : main->second.objects.objects()) memory.objects.emplace(id, record);
+  memory.pairs = main->second.objects.pairs();
+  return memory;
+}
+
 MapParts MapBuilder::Impl::takeChanges() {
   refresh();
   if (first_) changes_.tiles = part(*first_).cloud.takeChanges();
@@ -387,12 +407,13 @@ MapBuilder::~MapBuilder() = default;
 MapBuilder::MapBuilder(MapBuilder&&) noexcept = default;
 MapBuilder& MapBuilder::operator=(MapBuilder&&) noexcept = default;
 
-void MapBuilder::restore(const SemanticMap& earlier) { impl_->restore(earlier); }
+void MapBuilder::restore(const SemanticMap& earlier, const MapMemory& memory) { impl_->restore(earlier, memory); }
 void MapBuilder::addKeyframe(const odometry::Keyframe& keyframe) { impl_->addKeyframe(keyframe); }
 void MapBuilder::apply(const odometry::MapUpdate& update) { impl_->apply(update); }
 void MapBuilder::add(const View& view) { impl_->add(view); }
 SemanticMap MapBuilder::map() { return impl_->map(); }
 SemanticMap MapBuilder::map(const MapParts& parts) { return impl_->map(parts); }
+MapMemory MapBuilder::memory(const std::set<odometry::KeyframeId>& tiles) const { return impl_->memory(tiles); }
 MapParts MapBuilder::takeChanges() { return impl_->takeChanges(); }
 
 }  // namespace wardslam::mapping

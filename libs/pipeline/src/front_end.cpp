@@ -66,4 +66,6 @@ void FrontEnd::requireSoundSetup() {
 
 knowledge::ClassSet FrontEnd::movers() const { return knowledge::MotionRules(*knowledge_, labels_).moving(); }
 
+knowledge::ClassSet FrontEnd::movables() const { return knowledge::MotionRules(*knowledge_, labels_).movable(); }
+
 }  // namespace wardslam::pipeline

@@ -4,6 +4,7 @@
 
 #include "wardslam/graph/mapper.h"
 #include "wardslam/graph/saved_graph.h"
+#include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/semantic_map.h"
 
 namespace wardslam::pipeline {
@@ -14,6 +15,7 @@ struct EarlierMap {
   graph::SavedGraph graph;
   mapping::SemanticMap semantic;  ///< Without keyframes: only where the camera is matters.
   graph::Saved use = graph::Saved::MayChange;
+  mapping::MapMemory memory{};    ///< Of the semantic map; empty: made up from what that shows.
 };
 
 /// Without the cloud where the map is only to find oneself in (Saved::IsHeld). Throws core::InputError naming the file

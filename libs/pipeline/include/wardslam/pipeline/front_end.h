@@ -47,7 +47,8 @@ class FrontEnd {
 
   [[nodiscard]] const filters::FilterChain& filters() const { return filters_; }
   [[nodiscard]] const core::LabelSpace& labelSpace() const { return labels_; }
-  [[nodiscard]] knowledge::ClassSet movers() const;  ///< Classes that move by themselves.
+  [[nodiscard]] knowledge::ClassSet movers() const;    ///< Classes that move by themselves.
+  [[nodiscard]] knowledge::ClassSet movables() const;  ///< Classes that somebody can move.
   [[nodiscard]] core::Profiler& profiler() { return profiler_; }
   [[nodiscard]] const core::Profiler& profiler() const { return profiler_; }
 
