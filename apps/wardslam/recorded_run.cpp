@@ -152,10 +152,6 @@ void requireRecognition(const RecordedRun& run, const pipeline::SlamSystem& slam
                          "; the trajectory is in a frame of its own and the map is as it was");
 }
 
-}  // namespace
-
-namespace {
-
 /// Images that came too late for a robot; a recording waits until they are worked in.
 pipeline::WhenBehind whenBehind(const RecordedRun& run, bool isLive) {
   return isLive || run.realtime ? pipeline::WhenBehind::LeavesViewsOut : pipeline::WhenBehind::Waits;

@@ -15,7 +15,7 @@ struct EarlierMap {
   graph::SavedGraph graph;
   mapping::SemanticMap semantic;  ///< Without keyframes: only where the camera is matters.
   graph::Saved use = graph::Saved::MayChange;
-  mapping::MapMemory memory{};    ///< Of the semantic map; empty: made up from what that shows.
+  mapping::MapMemory memory{};  ///< Of the semantic map; empty: made up from what that shows.
 };
 
 /// Without the cloud where the map is only to find oneself in (Saved::IsHeld). Throws core::InputError naming the file
