@@ -22,6 +22,7 @@
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/pipeline/zone_watch.h"
 #include "wardslam/sources/observation_source.h"
+#include "wardslam/storage/map_copy.h"
 #include "wardslam/storage/map_file_writer.h"
 #include "wardslam/viewer/live_window.h"
 
@@ -124,9 +125,24 @@ void requireSoundInput(const sources::ObservationSource& source, const pipeline:
   }
 }
 
-storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamSystem& slam) {
-  if (!run.map.empty()) return storage::MapFileWriter(storage::MapFile::open(run.map, storage::MapAccess::Write));
+storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamSystem& slam,
+                                   const std::optional<storage::MapCopy>& copy) {
+  if (copy) return storage::MapFileWriter(storage::MapFile::open(copy->path(), storage::MapAccess::Write));
   return {run.out / "map.wardmap", storage::MapHeader{slam.labelSpace(), slam.configuration()}};
+}
+
+pipeline::EarlierMap earlierMapOf(const RecordedRun& run) {
+  if (run.map.empty()) return {};
+  return pipeline::readEarlierMap(run.map, run.localize ? graph::Saved::IsHeld : graph::Saved::MayChange);
+}
+
+/// What goes on in a map changes a copy of it, which takes its place once it has grown by this run.
+void settle(const storage::MapCopy& copy, bool isRecognised) {
+  if (isRecognised) {
+    copy.takePlace();
+  } else {
+    copy.remove();
+  }
 }
 
 /// Without a place in common, the poses of the run say nothing about the map.
@@ -135,10 +151,6 @@ void requireRecognition(const RecordedRun& run, const pipeline::SlamSystem& slam
   throw core::InputError(run.map.string() + ": no place of this map was recognised in " + run.input.string() +
                          "; the trajectory is in a frame of its own and the map is as it was");
 }
-
-}  // namespace
-
-namespace {
 
 /// Images that came too late for a robot; a recording waits until they are worked in.
 pipeline::WhenBehind whenBehind(const RecordedRun& run, bool isLive) {
@@ -157,9 +169,9 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
     recording = sources::openSource(run.input, sourceOptions(run, trouble));
   }
   sources::ObservationSource& source = live ? live->source() : *recording;
+  std::optional<storage::MapCopy> mapCopy;
   std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
-  pipeline::SlamSystem slam(run.options, run.map.empty() ? pipeline::EarlierMap{} : pipeline::readEarlierMap(run.map),
-                            whenBehind(run, live.has_value()));
+  pipeline::SlamSystem slam(run.options, earlierMapOf(run), whenBehind(run, live.has_value()));
   slam.setDepthNoise(source.depthNoise());
   std::optional<DynamicTruth> truth;
   if (!run.dynamicTruth.empty()) truth.emplace(run.dynamicTruth);
@@ -179,7 +191,8 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   if (truth) slam.addObserver(*truth);
 
   if (slam.buildsSemanticMap()) {
-    mapFile.emplace(openMapFile(run, slam));
+    if (!run.map.empty()) mapCopy.emplace(run.map);
+    mapFile.emplace(openMapFile(run, slam, mapCopy));
     mapFile->setWarningSink(tellAtOnce);
     slam.writeTo(*mapFile);
   }
@@ -190,7 +203,9 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   if (live) live->source().close();
   failure.attempt([&] { attemptRun(run, statistics, [&] { slam.finish(); }); });
   failure.attempt([&] {
-    if (mapFile) attemptRun(run, statistics, [&] { mapFile->finish(*slam.mapBuilder(), slam.mapper()); });
+    if (!mapFile) return;
+    attemptRun(run, statistics, [&] { mapFile->finish(*slam.mapBuilder(), slam.mapper()); });
+    if (mapCopy) settle(*mapCopy, slam.recognisedAt_s().has_value());
   });
   const bool isInterrupted = interruption.requested();
   failure.attempt([&] {

@@ -43,9 +43,9 @@ std::string poseLine(const std::string& stampText, const Eigen::Isometry3d& T) {
 
 }  // namespace
 
-RoomRecording::RoomRecording(int images, int listed, double start_s) {
+RoomRecording::RoomRecording(int images, int listed, double start_s, std::uint64_t seed) {
   const auto stamp = [start_s](int listing) { return stampText(start_s, listing); };
-  const TexturedRoom room;
+  const TexturedRoom room(seed);
   for (int image = 0; image < images; ++image) {
     const auto view = room.look(TexturedRoom::T_room_cam(image));
     cv::Mat units;

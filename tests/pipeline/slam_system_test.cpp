@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include <algorithm>
 #include <new>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -14,6 +15,8 @@
 #include "support/textured_room_scan.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/storage/map_file.h"
+#include "wardslam/storage/map_file_writer.h"
 
 namespace wardslam::test {
 
@@ -140,6 +143,32 @@ TEST_F(SlamSystemTest, InThreadsOrNotTheMapHoldsAllKeyframesInTheEnd) {
   }
 }
 
+/// The last adjustment of all included.
+TEST_F(SlamSystemTest, GraphMapFileAndTrajectoryAgreeInTheEnd) {
+  for (const bool deterministic : {true, false}) {
+    const test::TemporaryFolder folder;
+    SlamOptions options = withoutFilters();
+    options.deterministic = deterministic;
+    storage::MapFileWriter writer(folder.path() / "map.wardmap", {});
+    SlamSystem slam(options);
+    slam.writeTo(writer);
+    for (int image = 0; image < 12; ++image) slam.process(observe(room_, image));
+    slam.finish();
+    writer.finish(*slam.mapBuilder(), slam.mapper());
+    const auto inFile = storage::MapFile::open(folder.path() / "map.wardmap").read().keyframes;
+    const auto trajectory = slam.trajectory();
+    ASSERT_GE(inFile.size(), 2U);
+    for (const auto& [id, keyframe] : inFile) {
+      const auto& T_graph = slam.mapper().graph().keyframes().at(id).T_map_cam;
+      EXPECT_TRUE(keyframe.T_map_cam.isApprox(T_graph, 1e-9)) << id << ", deterministic: " << deterministic;
+      const auto pose = std::find_if(trajectory.begin(), trajectory.end(),
+                                     [&stamp_s = keyframe.stamp_s](const auto& p) { return p.stamp_s == stamp_s; });
+      ASSERT_NE(pose, trajectory.end());
+      EXPECT_TRUE(pose->T_map_cam.isApprox(T_graph, 1e-9)) << id << ", deterministic: " << deterministic;
+    }
+  }
+}
+
 TEST_F(SlamSystemTest, WithoutMappingThereIsNoSemanticMap) {
   SlamOptions options = withoutFilters();
   options.mapping.enabled = false;
@@ -160,7 +189,7 @@ TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
     SlamSystem first(options);
     for (int image = 0; image < 10; ++image) first.process(observe(room_, image));
     first.finish();
-    earlier = {graph::save(first.mapper().graph()), first.semanticMap()};
+    earlier = {graph::save(first.mapper().graph()), first.semanticMap(), graph::Saved::MayChange};
   }
   ASSERT_FALSE(earlier.graph.keyframes.empty());
   SlamSystem second(options, earlier);
@@ -175,6 +204,54 @@ TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
   }
   EXPECT_GT(second.semanticMap().keyframes.size(), earlier.semantic.keyframes.size());
   EXPECT_EQ(second.semanticMap().cloud.count(1), 1U) << "what the first run saw";
+}
+
+TEST_F(SlamSystemTest, LocalisesInAMapWithoutMovingIt) {
+  for (const bool deterministic : {true, false}) {
+    SlamOptions options = withoutFilters();
+    options.deterministic = true;
+    SlamSystem first(options);
+    for (int image = 0; image < 20; ++image) first.process(observe(room_, image));
+    first.finish();
+    const EarlierMap earlier{graph::save(first.mapper().graph()), first.semanticMap(), graph::Saved::IsHeld};
+
+    options.deterministic = deterministic;
+    options.mapping.enabled = false;
+    SlamSystem second(options, earlier);
+    for (int image = 0; image < 20; ++image) second.process(observe(room_, image));
+    second.finish();
+    EXPECT_EQ(second.mapper().submapsJoined(), 1U);
+    const auto trajectory = second.trajectory();
+    ASSERT_EQ(trajectory.size(), 20U);
+    for (const auto& keyframe : earlier.graph.keyframes) {
+      const auto& T_map_cam = second.mapper().graph().keyframes().at(keyframe->id).T_map_cam;
+      EXPECT_EQ(T_map_cam.matrix(), keyframe->T_map_cam.matrix());
+      const auto again = std::find_if(trajectory.begin(), trajectory.end(),
+                                      [&](const auto& p) { return p.stamp_s == keyframe->stamp_s; });
+      ASSERT_NE(again, trajectory.end());
+      EXPECT_LT((again->T_map_cam.translation() - T_map_cam.translation()).norm(), 0.003) << keyframe->id;
+    }
+  }
+}
+
+/// The one keyframe is mostly worked in when no image comes any more.
+TEST_F(SlamSystemTest, TellsThatTheMapWasRecognisedAlsoWhenThatIsFoundOutInTheEnd) {
+  SlamOptions options = withoutFilters();
+  options.deterministic = true;
+  EarlierMap earlier;
+  SlamSystem first(options);
+  for (int image = 0; image < 10; ++image) first.process(observe(room_, image));
+  first.finish();
+  earlier.graph = graph::save(first.mapper().graph());
+  earlier.semantic = first.semanticMap();
+  for (const bool deterministic : {true, false}) {
+    options.deterministic = deterministic;
+    SlamSystem second(options, earlier);
+    second.process(observe(room_, 3));
+    second.finish();
+    ASSERT_EQ(second.mapper().submapsJoined(), 1U) << deterministic;
+    EXPECT_TRUE(second.recognisedAt_s()) << deterministic;
+  }
 }
 
 TEST_F(SlamSystemTest, ClassesOfAnEarlierMapMustMeanTheSame) {

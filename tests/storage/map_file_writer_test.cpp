@@ -234,6 +234,65 @@ TEST_F(MapFileWriterTest, GoesOnWithAMapThatIsThere) {
   EXPECT_THROW(MapFileWriter(MapFile::open(path)).finish(builder_, mapper_), core::InputError) << "opened for reading";
 }
 
+/// A map of an earlier run, in which a class is used that this run does not know, and one is not.
+std::filesystem::path writeEarlierMap(const std::filesystem::path& folder, const mapping::SemanticMap& ward) {
+  const auto path = folder / "earlier.wardmap";
+  core::LabelSpace labels;
+  labels.rename(57, "chair");
+  labels.rename(101, "drip stand");
+  labels.rename(102, "unused");
+  MapFile earlier = MapFile::create(path, {labels, ""});
+  MapChanges changes;
+  changes.keyframes[1] = ward.keyframes.at(1);
+  changes.keyframes[1].zone.clear();
+  changes.objects = {test::makeChair(1, 0, 0), test::makeObject(2, 101, {1, 1, 1}, {1, 1, 1})};
+  changes.floorPlan = ward.floorPlan;
+  changes.nextObjectId = 9;
+  earlier.write(changes);
+  return path;
+}
+
+TEST_F(MapFileWriterTest, ZonesAndNamesOfTheNewRunAreWritten) {
+  const auto path = writeEarlierMap(folder_.path(), ward_);
+  core::LabelSpace labels;
+  labels.rename(57, "chair");
+  labels.rename(102, "curtain");
+  labels.rename(130, "drape");
+  mapping::MapBuilder builder({}, {labels, {}, mapping::Zones(ward_.zones)});
+  builder.restore(MapFile::open(path).read());
+  MapFileWriter writer(MapFile::open(path, MapAccess::Write));
+  writer.finish(builder, mapper_);
+  const auto file = MapFile::open(path);
+  EXPECT_THAT(file.check(), IsEmpty());
+  const auto map = file.read();
+  ASSERT_EQ(map.zones.size(), 2U);
+  EXPECT_EQ(map.objects.at(1).zone, "clean zone");
+  EXPECT_EQ(map.keyframes.at(1).zone, builder.map().keyframes.at(1).zone);
+  EXPECT_EQ(map.labels.name(101), "drip stand") << "a thing is called so";
+  EXPECT_EQ(map.labels.name(102), "curtain");
+  EXPECT_EQ(map.labels.name(130), "drape");
+  EXPECT_EQ(map.nextObjectId, 9U);
+}
+
+TEST_F(MapFileWriterTest, TheOldFloorPlanIsGoneWithTheFirstWrite) {
+  const auto path = writeEarlierMap(folder_.path(), ward_);
+  builder_.restore(MapFile::open(path).read());
+  MapFileWriter writer(MapFile::open(path, MapAccess::Write));
+  EXPECT_FALSE(MapFile::open(path).read().floorPlan.cells.empty());
+  writer.write(builder_);
+  EXPECT_TRUE(MapFile::open(path).read().floorPlan.cells.empty());
+}
+
+TEST_F(MapFileWriterTest, WhatIsRememberedIsInTheFileInTheEnd) {
+  insertAndWrite(1);
+  EXPECT_TRUE(MapFile::open(path_).readMemory().tiles.empty());
+  writer_.finish(builder_, mapper_);
+  const auto memory = builder_.memory({1});
+  EXPECT_EQ(MapFile::open(path_).readMemory().tiles.size(), memory.tiles.size());
+  EXPECT_EQ(MapFile::open(path_).readMemory().objects.size(), memory.objects.size());
+  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+}
+
 TEST_F(MapFileWriterTest, ThrowsWhereNoFileCanBe) {
   EXPECT_THROW(MapFileWriter(folder_.path() / "missing" / "map.wardmap", {}), core::InputError);
 }

@@ -9,6 +9,7 @@ namespace wardslam::storage {
 namespace {
 
 using core::Keypoint;
+using mapping::PointMemory;
 using mapping::SemanticPoint;
 using odometry::OrbDescriptor;
 
@@ -16,6 +17,7 @@ constexpr std::uint8_t kFeaturesVersion = 1;
 constexpr std::uint8_t kTileVersion = 1;
 constexpr std::uint8_t kCellsVersion = 1;
 constexpr std::uint8_t kFanVersion = 1;
+constexpr std::uint8_t kTileMemoryVersion = 1;
 
 /// Hands every field of a record, in the order of the layout, to `column`.
 template <class Column>
@@ -44,6 +46,27 @@ void forEachColumn(std::vector<SemanticPoint>& points, const Column& column) {
   column(points, [](SemanticPoint& p) -> std::uint16_t& { return p.sightings; });
 }
 constexpr std::size_t kPointSize = 3 * sizeof(float) + 4 + sizeof(mapping::ObjectId) + sizeof(std::uint16_t);
+
+template <class Column>
+void forEachColumn(std::vector<PointMemory>& points, const Column& column) {
+  for (const Eigen::Index axis : {0, 1, 2}) {
+    column(points, [axis](PointMemory& p) -> float& { return p.p_cam_m[axis]; });
+  }
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    column(points, [i](PointMemory& p) -> std::uint8_t& { return p.color_rgb[i]; });
+  }
+  column(points, [](PointMemory& p) -> float& { return p.precision_m2; });
+  column(points, [](PointMemory& p) -> float& { return p.sigma_m; });
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    column(points, [i](PointMemory& p) -> mapping::ObjectId& { return p.votes[i].object; });
+    column(points, [i](PointMemory& p) -> float& { return p.votes[i].weight; });
+  }
+  column(points, [](PointMemory& p) -> mapping::ObjectId& { return p.object; });
+  column(points, [](PointMemory& p) -> std::uint16_t& { return p.sightings; });
+  column(points, [](PointMemory& p) -> std::int8_t& { return p.evidence; });
+}
+constexpr std::size_t kPointMemorySize =
+    8 * sizeof(float) + 3 + 4 * sizeof(mapping::ObjectId) + sizeof(std::uint16_t) + sizeof(std::int8_t);
 
 template <class Column>
 void forEachColumn(std::vector<Eigen::Vector3f>& points, const Column& column) {
@@ -88,6 +111,13 @@ void requirePossible(const Eigen::Vector3f& p_cam_m) {
   require(p_cam_m.cwiseAbs().maxCoeff() <= kFarthest_m && p_cam_m.allFinite(), "a point");
 }
 
+void requirePossible(const PointMemory& point) {
+  requirePossible(point.p_cam_m);
+  require(point.precision_m2 >= 0 && std::isfinite(point.precision_m2), "a precision");
+  require(point.sigma_m >= 0 && std::isfinite(point.sigma_m), "a noise");
+  for (const auto& vote : point.votes) require(vote.weight >= 0 && std::isfinite(vote.weight), "a vote");
+}
+
 }  // namespace
 
 core::Bytes encodeFeatures(const core::Features& features) {
@@ -126,6 +156,22 @@ mapping::SemanticCloudTile decodeTile(const core::Bytes& blob) {
   tile.points.resize(in.getCount(kPointSize));
   getColumns(in, tile.points);
   for (const auto& point : tile.points) requirePossible(point.p_cam_m);
+  return tile;
+}
+
+core::Bytes encodeTileMemory(const mapping::TileMemory& tile) {
+  core::ByteWriter out;
+  out.put(static_cast<std::uint32_t>(tile.size()));
+  putColumns(out, tile);
+  return core::pack(core::BlobKind::TileMemory, kTileMemoryVersion, out.bytes());
+}
+
+mapping::TileMemory decodeTileMemory(const core::Bytes& blob) {
+  const core::Bytes content = core::unpack(core::BlobKind::TileMemory, kTileMemoryVersion, blob);
+  core::ByteReader in(content);
+  mapping::TileMemory tile(in.getCount(kPointMemorySize));
+  getColumns(in, tile);
+  for (const auto& point : tile) requirePossible(point);
   return tile;
 }
 

@@ -65,6 +65,7 @@ void checkContents(SQLite::Database& database, Problems& problems) {
   attempt([&] { (void)readViews(database); });
   attempt([&] { (void)readPoints(database); });
   attempt([&] { (void)readLoops(database); });
+  attempt([&] { (void)readMemory(database); });
   attempt([&] {
     const auto map = readMap(database, CloudPart::Include);
     std::size_t unowned = 0;

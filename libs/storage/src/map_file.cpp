@@ -196,6 +196,15 @@ MapFile MapFile::open(const fs::path& file, MapAccess access) {
   });
 }
 
+void MapFile::copy(const fs::path& from, const fs::path& to) {
+  const MapFile source = open(from);
+  removeDatabase(to);
+  guarded(to, [&] {
+    SQLite::Database target(to.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience_ms);
+    SQLite::Backup(target, source.connection_->database).executeStep();
+  });
+}
+
 void MapFile::write(const MapChanges& changes, int patience_ms) {
   guarded(connection_->file, [&] {
     connection_->database.setBusyTimeout(patience_ms);
@@ -235,6 +244,8 @@ mapping::SemanticMap MapFile::read(CloudPart cloud) const {
   return connection_->reading([cloud](SQLite::Database& database) { return readMap(database, cloud); });
 }
 
+mapping::MapMemory MapFile::readMemory() const { return connection_->reading(storage::readMemory); }
+
 std::vector<odometry::Keyframe> MapFile::readViews() const { return connection_->reading(storage::readViews); }
 
 std::map<odometry::PointId, Eigen::Vector3d> MapFile::readPoints() const {
@@ -252,6 +263,7 @@ MapChanges everythingOf(const mapping::SemanticMap& map) {
   for (const auto& [id, object] : map.objects) changes.objects.push_back(object);
   changes.zones = map.zones;
   changes.floorPlan = map.floorPlan;
+  changes.nextObjectId = map.nextObjectId;
   return changes;
 }
 

@@ -56,7 +56,7 @@ MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader&
   successor_ = Successor{file, header};
 }
 
-MapFileWriter::MapFileWriter(MapFile file) : file_(std::move(file)) {
+MapFileWriter::MapFileWriter(MapFile file) : file_(std::move(file)), goesOn_(true) {
   for (const auto& [id, keyframe] : file_->read(CloudPart::LeaveOut).keyframes) written_.insert(id);
 }
 
@@ -78,8 +78,15 @@ void MapFileWriter::apply(const odometry::MapUpdate& update) {
 
 MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
   merge(unwritten_, builder.takeChanges());
-  MapChanges changes = changesOf(builder.map(unwritten_), unwritten_);
-  if (!written_.empty()) changes.zones.reset();  // they do not change
+  const mapping::SemanticMap map = builder.map(unwritten_);
+  MapChanges changes = changesOf(map, unwritten_);
+  changedTiles_.insert(unwritten_.tiles.begin(), unwritten_.tiles.end());
+  if (hasBegun_) {
+    changes.zones.reset();  // they do not change
+  } else if (goesOn_) {
+    changes.labels = map.labels;
+    changes.outdatesFloorPlan = true;
+  }
   changes.p_map_m = pending_.p_map_m;
   changes.fusedPoints = pending_.fusedPoints;
   changes.removedPoints = pending_.removedPoints;
@@ -103,6 +110,7 @@ void MapFileWriter::put(const MapChanges& changes, int patience_ms) {
 
 void MapFileWriter::forgetWritten(const MapChanges& changes) {
   isFailing_ = false;
+  hasBegun_ = true;
   for (const auto& [id, keyframe] : changes.keyframes) written_.insert(id);
   for (const auto id : changes.removedKeyframes) written_.erase(id);
   unwritten_ = {};
@@ -132,13 +140,14 @@ void MapFileWriter::finish(mapping::MapBuilder& builder, const graph::Mapper& ma
   auto floorPlan = builder.map().floorPlan;  // first: the builder describes all objects anew
   MapChanges changes = takeFrom(builder);
   changes.floorPlan = std::move(floorPlan);
+  changes.memory = builder.memory(changedTiles_);
   auto keyframes = written_;
   for (const auto& [id, keyframe] : changes.keyframes) keyframes.insert(id);
   for (const auto id : changes.removedKeyframes) keyframes.erase(id);
   changes.graph = contentOf(mapper.graph(), keyframes);
   for (const auto& loop : mapper.loops()) {
     if (keyframes.count(loop.older) > 0 && keyframes.count(loop.newer) > 0) {
-      changes.loops.push_back({loop.older, loop.newer, loop.T_older_newer});
+      changes.loops.push_back({loop.older, loop.newer, loop.T_older_newer, loop.inliers});
     }
   }
   try {

@@ -91,6 +91,18 @@ void readObjects(SQLite::Database& database, mapping::SemanticMap& map) {
              });
 }
 
+void readHints(SQLite::Database& database, mapping::SemanticMap& map) {
+  forEachRow(database, "hint about object", "SELECT object, maybe_same_as, probability FROM object_hints",
+             [&map](ColumnReader row) {
+               mapping::ObjectId object = 0;
+               mapping::MaybeSame hint;
+               row >> object >> hint.id >> within(hint.probability, 0.0, 1.0);
+               const auto found = map.objects.find(object);
+               if (found == map.objects.end()) throw core::BlobError("that object is missing");
+               found->second.maybeSameAs = hint;
+             });
+}
+
 void readZones(SQLite::Database& database, mapping::SemanticMap& map) {
   std::map<std::uint32_t, mapping::Zone> zones;
   forEachRow(database, "zone", "SELECT id, name FROM zones ORDER BY id", [&zones](ColumnReader row) {
@@ -138,35 +150,111 @@ std::map<std::uint32_t, core::CameraModel> readCameras(SQLite::Database& databas
   return cameras;
 }
 
+/// A Kinect's where the map says nothing.
+void readDepthNoises(SQLite::Database& database, std::map<odometry::KeyframeId, odometry::Keyframe>& views) {
+  forEachRow(database, "depth noise of keyframe", "SELECT keyframe, least_m, growth_per_m, from_m FROM depth_noises",
+             [&views](ColumnReader row) {
+               odometry::KeyframeId keyframe = 0;
+               core::DepthNoise noise;
+               row >> keyframe >> within(noise.least_m, 1e-6, 10.0) >> within(noise.growth_per_m, 0.0, 10.0) >>
+                   within(noise.from_m, 0.0, 100.0);
+               const auto view = views.find(keyframe);
+               if (view == views.end()) throw core::BlobError("that keyframe has no features");
+               view->second.camera.depthNoise = noise;
+             });
+}
+
 std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQLite::Database& database) {
   const auto cameras = readCameras(database);
   std::map<odometry::KeyframeId, odometry::Keyframe> views;
   forEachRow(database, "features of keyframe",
-             "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, camera, features "
+             "SELECT id, stretch, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, camera, features "
              "FROM keyframes JOIN views ON keyframe = id",
              [&](ColumnReader row) {
                odometry::Keyframe view;
                std::uint32_t camera = 0;
                core::Bytes blob;
-               row >> view.id >> within(view.stamp_s, 0.0, kLatest_s) >> view.T_map_cam >> camera >> blob;
+               row >> view.id >> view.submap >> within(view.stamp_s, 0.0, kLatest_s) >> view.T_map_cam >> camera >>
+                   blob;
                if (cameras.count(camera) == 0) throw core::BlobError("its camera is missing");
                view.camera = cameras.at(camera);
                view.features = decodeFeatures(blob);
                views.emplace(view.id, std::move(view));
              });
+  readDepthNoises(database, views);
   return views;
 }
 
 std::vector<LoopEdge> readEdges(SQLite::Database& database, const std::string& kind) {
   std::vector<LoopEdge> edges;
-  const std::string sql = "SELECT from_keyframe, to_keyframe, x_m, y_m, z_m, qx, qy, qz, qw FROM edges WHERE kind = '" +
-                          kind + "' ORDER BY to_keyframe, from_keyframe";
+  const std::string sql =
+      "SELECT from_keyframe, to_keyframe, x_m, y_m, z_m, qx, qy, qz, qw, inliers FROM edges WHERE kind = '" + kind +
+      "' ORDER BY to_keyframe, from_keyframe";
   forEachRow(database, kind + " edge from keyframe", sql.c_str(), [&edges](ColumnReader row) {
     LoopEdge edge;
-    row >> edge.from >> edge.to >> edge.T_from_to;
+    row >> edge.from >> edge.to >> edge.T_from_to >> edge.inliers;
     edges.push_back(edge);
   });
   return edges;
+}
+
+mapping::ObjectId nextObjectId(SQLite::Database& database) {
+  mapping::ObjectId next = 1;
+  forEachRow(database, "property", "SELECT 'next_object_id', value FROM properties WHERE name = 'next_object_id'",
+             [&next](ColumnReader row) {
+               std::string name;
+               row >> name >> next;
+             });
+  return next;
+}
+
+void readTileMemories(SQLite::Database& database, mapping::MapMemory& memory) {
+  forEachRow(database, "memory of the tile of keyframe", "SELECT keyframe, points FROM tile_memories ORDER BY keyframe",
+             [&memory](ColumnReader row) {
+               odometry::KeyframeId keyframe = 0;
+               core::Bytes blob;
+               row >> keyframe >> blob;
+               memory.tiles.emplace(keyframe, decodeTileMemory(blob));
+             });
+}
+
+void readObjectMemories(SQLite::Database& database, mapping::MapMemory& memory) {
+  forEachRow(
+      database, "memory of object",
+      "SELECT object, views, expected, missed, first_seen_s, last_seen_s, last_x_m, last_y_m, last_z_m, handled_s, "
+      "views_to_rest, erased, gone_s, place_was_empty, state FROM object_memories ORDER BY object",
+      [&memory](ColumnReader row) {
+        mapping::ObjectId id = 0;
+        mapping::ObjectMemory object;
+        Eigen::Vector3d place_m;
+        std::uint64_t erased = 0;
+        std::uint8_t wasEmpty = 0;
+        std::string state;
+        row >> id >> object.views >> object.expected >> object.missed >> object.firstSeen_s >> object.lastSeen_s >>
+            place_m >> object.handled_s >> object.viewsToRest >> erased >> object.gone_s >> wasEmpty >> state;
+        object.lastPlace_m = place_m.cast<float>();
+        object.erased = static_cast<std::size_t>(erased);
+        object.placeWasEmpty = wasEmpty != 0;
+        object.state = objectState(state);
+        memory.objects.emplace(id, object);
+      });
+  forEachRow(database, "votes for object", "SELECT object, class_id, confidence FROM object_votes",
+             [&memory](ColumnReader row) {
+               mapping::ObjectId id = 0;
+               core::ClassId classId = 0;
+               double confidence = 0.0;
+               row >> id >> classId >> within(confidence, 0.0, 1e12);
+               const auto object = memory.objects.find(id);
+               if (object == memory.objects.end()) throw core::BlobError("nothing else is remembered of it");
+               object->second.votes[classId] = confidence;
+             });
+  forEachRow(database, "pair of object", "SELECT object, other, together, apart FROM object_pairs",
+             [&memory](ColumnReader row) {
+               std::pair<mapping::ObjectId, mapping::ObjectId> ids;
+               mapping::PairMemory pair;
+               row >> ids.first >> ids.second >> pair.together >> pair.apart;
+               memory.pairs.emplace(ids, pair);
+             });
 }
 
 }  // namespace
@@ -208,9 +296,18 @@ mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud) {
   readFreeFans(database, map);
   if (cloud == CloudPart::Include) readCloud(database, map);
   readObjects(database, map);
+  readHints(database, map);
+  map.nextObjectId = nextObjectId(database);
   readZones(database, map);
   readFloorPlan(database, map);
   return map;
+}
+
+mapping::MapMemory readMemory(SQLite::Database& database) {
+  mapping::MapMemory memory;
+  readTileMemories(database, memory);
+  readObjectMemories(database, memory);
+  return memory;
 }
 
 std::vector<odometry::Keyframe> readViews(SQLite::Database& database) {

@@ -77,7 +77,8 @@ class SlamSystem {
   /// in, and "mapping.view_without_masks", those of which nobody knew yet who is in them.
   [[nodiscard]] core::EventCounts leftOut() const;
 
-  /// Time of the first image from which on the earlier map was recognised. Nothing: it was not, or there is none.
+  /// Time of the first image from which on the earlier map was recognised; of the last image, where that is found out
+  /// in finish(). Nothing: it was not, or there is none.
   [[nodiscard]] std::optional<double> recognisedAt_s() const { return recognisedAt_s_; }
 
   /// Must outlive this object.
@@ -92,12 +93,14 @@ class SlamSystem {
 
  private:
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
+  void noteRecognition(const odometry::MapUpdate& update);
   void finishGraph();
 
   SlamOptions options_;
   FrontEnd frontEnd_;
   mapping::Zones zones_;
   bool hasEarlierMap_ = false;
+  double lastStamp_s_ = 0.0;
   std::optional<double> recognisedAt_s_;
   TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wardslam/core/errors.h"
+#include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/semantic_map.h"
 #include "wardslam/odometry/keyframe.h"
 
@@ -21,6 +22,7 @@ struct LoopEdge {
   odometry::KeyframeId from = 0;
   odometry::KeyframeId to = 0;
   Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
+  int inliers = 30;  ///< Of a loop: points that agree with it.
 };
 
 /// Who saw which point, and where the points are.
@@ -37,13 +39,17 @@ struct MapChanges {
   std::map<odometry::PointId, odometry::PointId> fusedPoints;    ///< The first turned out to be the second.
   std::vector<odometry::PointId> removedPoints;
   std::vector<odometry::KeyframeId> removedKeyframes;  ///< With all that names them, and points nobody else saw.
-  std::optional<GraphContent> graph;                   ///< In place of all sightings and points there are.
+  std::optional<GraphContent> graph;                   ///< In place of all sightings, points and loops there are.
   std::vector<LoopEdge> loops;
   std::map<odometry::KeyframeId, mapping::SemanticCloudTile> cloud;  ///< A tile without points is removed.
   std::vector<mapping::MapObject> objects;
   std::vector<mapping::ObjectId> removedObjects;
   std::optional<std::vector<mapping::Zone>> zones;  ///< All of them.
   std::optional<mapping::FloorPlan> floorPlan;
+  bool outdatesFloorPlan = false;  ///< The one there is no more that of the map; drawn anew it may come with this.
+  std::optional<core::LabelSpace> labels;    ///< Names of classes, besides those there are.
+  std::optional<mapping::MapMemory> memory;  ///< All of the objects; of the tiles, those that changed.
+  mapping::ObjectId nextObjectId = 0;        ///< 0: as it was.
 };
 
 /// The whole of a semantic map, to be written into an empty file.
@@ -100,6 +106,9 @@ class MapFile {
   /// Undoes what a killed process left half written. A file that an older version wrote is brought up to date.
   [[nodiscard]] static MapFile open(const std::filesystem::path& file, MapAccess access = MapAccess::Read);
 
+  /// The map as it is at this moment, in a file of its own, in place of one that may be there.
+  static void copy(const std::filesystem::path& from, const std::filesystem::path& to);
+
   ~MapFile();
   MapFile(MapFile&&) noexcept;
   MapFile& operator=(MapFile&&) noexcept;
@@ -114,7 +123,11 @@ class MapFile {
   [[nodiscard]] MapHeader header() const;
   [[nodiscard]] mapping::SemanticMap read(CloudPart cloud = CloudPart::Include) const;
 
-  /// What the keyframes saw, in order of their ids, all of submap 0; sightings name points of readPoints().
+  /// What is known besides, for MapBuilder::restore().
+  [[nodiscard]] mapping::MapMemory readMemory() const;
+
+  /// What the keyframes saw, in order of their ids; `submap` is the stretch of tracking they were made in, which no
+  /// other run shares. Sightings name points of readPoints().
   [[nodiscard]] std::vector<odometry::Keyframe> readViews() const;
   [[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints() const;  ///< p_map_m
   [[nodiscard]] std::vector<LoopEdge> readLoops() const;

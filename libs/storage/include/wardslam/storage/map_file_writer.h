@@ -30,7 +30,8 @@ class MapFileWriter {
   /// no map can be made there.
   MapFileWriter(const std::filesystem::path& file, const MapHeader& header);
 
-  /// Goes on with the map of an earlier run, opened for writing.
+  /// Goes on with the map of an earlier run, opened for writing. With the first write its floor plan is gone, for it is
+  /// not that of the growing map, and zones and class names are those of this run.
   explicit MapFileWriter(MapFile file);
 
   void setWarningSink(WarningSink warn) { warn_ = std::move(warn); }
@@ -63,6 +64,9 @@ class MapFileWriter {
 
   std::optional<MapFile> file_;         ///< Nothing while `successor_` waits for its first keyframe.
   std::optional<Successor> successor_;  ///< Nothing once it is in place.
+  bool goesOn_ = false;                 ///< In a map that was there.
+  bool hasBegun_ = false;               ///< What holds for the whole run is in the file.
+  std::set<odometry::KeyframeId> changedTiles_;
   std::set<odometry::KeyframeId> written_;
   mapping::MapParts unwritten_;  ///< Of the builder.
   MapChanges pending_;           ///< Of the graph.
