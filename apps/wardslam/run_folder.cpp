@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "object_list.h"
 #include "wardslam/core/atomic_file.h"
@@ -82,6 +83,22 @@ nlohmann::ordered_json toJson(const LiveRun& live, std::size_t processed) {
           {"latency", {{"median_ms", rounded(latency.median_ms, 1)}, {"p95_ms", rounded(latency.p95_ms, 1)}}}};
 }
 
+void writeTrajectory(const std::filesystem::path& file, const core::Trajectory& trajectory) {
+  exchange::TumTrajectoryWriter writer(file);
+  for (const auto& pose : trajectory) writer.write(pose);
+  writer.finish();
+}
+
+/// An earlier run into the same folder may have left some.
+void removeTrajectoriesOfPieces(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().rfind("trajectory_piece_", 0) == 0) old.push_back(entry.path());
+  }
+  for (const auto& file : old) std::filesystem::remove(file, ignored);
+}
+
 nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json;
@@ -92,6 +109,8 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["keyframes"] = statistics.keyframes();
   json["loops_closed"] = summary.slam.mapper().loopsClosed();
   json["submaps_joined"] = summary.slam.mapper().submapsJoined();
+  json["pieces"] = summary.slam.mapper().pieces().sizes().size();
+  json["pieces_unjoined"] = summary.slam.unjoinedTrajectories().size();
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
   if (summary.truth != nullptr) json["dynamic"] = toJson(*summary.truth);
   if (summary.live != nullptr) json["live"] = toJson(*summary.live, statistics.frames());
@@ -117,14 +136,19 @@ void RunFolder::writeConfiguration(const std::string& yaml) const {
 }
 
 void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
-  if (odometry.hasPose()) live_.write({frame.stamp_s, odometry.T_map_cam});
+  if (!odometry.hasPose()) return;
+  if (livePiece_ && *livePiece_ != odometry.piece) live_.writeComment("piece " + std::to_string(odometry.piece));
+  livePiece_ = odometry.piece;
+  live_.write({frame.stamp_s, odometry.T_map_cam});
 }
 
 void RunFolder::finish(const RunSummary& summary) {
   live_.finish();
-  exchange::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
-  for (const auto& pose : summary.slam.trajectory()) corrected.write(pose);
-  corrected.finish();
+  removeTrajectoriesOfPieces(folder_);
+  writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory());
+  for (const auto& [piece, trajectory] : summary.slam.unjoinedTrajectories()) {
+    writeTrajectory(folder_ / ("trajectory_piece_" + std::to_string(piece) + ".txt"), trajectory);
+  }
   if (summary.slam.buildsSemanticMap()) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");

@@ -97,7 +97,7 @@ TEST_F(OdometryTest, StartsWhereItIsTold) {
 }
 
 TEST_F(OdometryTest, NumbersGoOnBehindAnEarlierRun) {
-  odometry_ = Odometry(options(), {40, 5000, 3});
+  odometry_ = Odometry(options(), {40, 5000, 3, {}});
   const auto result = trackImage(0);
   ASSERT_NE(result.keyframe, nullptr);
   EXPECT_EQ(result.keyframe->id, 41U);
@@ -153,6 +153,30 @@ TEST_F(OdometryTest, ForeignFeaturesAreNoPlaceItKnows) {
   const auto back = trackImage(12);
   EXPECT_EQ(back.state, State::Ok);
   EXPECT_LT(distance_m(back.T_map_cam, truth(12)), 0.01);
+}
+
+TEST_F(OdometryTest, TellsWhenAPoseIsNotInTheMap) {
+  for (int image = 0; image < 20; ++image) EXPECT_TRUE(trackImage(image).isInMap);
+  for (int i = 0; i <= options().max_lost_frames; ++i) track({});
+  const auto anew = trackImage(40);
+  ASSERT_TRUE(anew.hasPose());
+  EXPECT_EQ(anew.piece, 1U);
+  EXPECT_FALSE(anew.isInMap) << "nobody knows how far the camera went meanwhile";
+  MapUpdate update;
+  update.joined = SubmapJoin{1, 0};
+  odometry_.apply(update);
+  const auto joined = trackImage(41);
+  EXPECT_EQ(joined.piece, 0U);
+  EXPECT_TRUE(joined.isInMap);
+}
+
+TEST_F(OdometryTest, BesideAnEarlierMapNothingElseIsTheMap) {
+  odometry_ = Odometry(options(), {40, 5000, 3, 0});
+  for (int image = 0; image < 5; ++image) {
+    const auto result = trackImage(image);
+    EXPECT_EQ(result.piece, 3U);
+    EXPECT_FALSE(result.isInMap);
+  }
 }
 
 TEST_F(OdometryTest, FollowsTheMajorityWhereSomeMoveAlongWithTheCamera) {

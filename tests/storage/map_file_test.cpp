@@ -129,7 +129,9 @@ TEST_F(MapFileTest, GivesBackLoopsLabelsAndOptions) {
 TEST_F(MapFileTest, TellsHowMuchItHolds) {
   writeWard();
   const auto info = MapFile::open(path_).info();
-  EXPECT_EQ(info.schemaVersion, 1);
+  EXPECT_EQ(info.schemaVersion, 2);
+  EXPECT_EQ(info.pieces, 1U);
+  EXPECT_EQ(info.keyframesElsewhere, 0U);
   EXPECT_EQ(info.size_bytes, fs::file_size(path_));
   EXPECT_EQ(info.keyframes, 3U);
   EXPECT_EQ(info.trackingPoints, 27U);
@@ -267,9 +269,23 @@ TEST_F(MapFileTest, SaysInOneSentenceWhatIsNoMap) {
   EXPECT_THAT(openingError(), HasSubstr("is a database, but not a WardSLAM map"));
 }
 
+TEST_F(MapFileTest, BringsAFileWithoutPiecesUpToDate) {
+  writeWard();
+  const auto before = MapFile::open(path_).read();
+  runSql(
+      "DROP VIEW map_piece; ALTER TABLE keyframes DROP COLUMN piece; ALTER TABLE objects DROP COLUMN piece; "
+      "PRAGMA user_version = 1");
+  const auto file = MapFile::open(path_);
+  EXPECT_EQ(file.info().schemaVersion, 2);
+  EXPECT_EQ(file.info().pieces, 1U) << "what there was is one piece, and the map";
+  EXPECT_EQ(file.read().keyframes.size(), before.keyframes.size());
+  EXPECT_EQ(file.read().objects.size(), before.objects.size());
+  EXPECT_THAT(file.check(), IsEmpty());
+}
+
 TEST_F(MapFileTest, SaysThatANewerVersionWroteIt) {
   writeWard();
-  runSql("PRAGMA user_version = 2");
+  runSql("PRAGMA user_version = 3");
   EXPECT_THAT(openingError(), HasSubstr("was written by a newer WardSLAM"));
 }
 

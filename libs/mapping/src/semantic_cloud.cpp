@@ -355,6 +355,7 @@ void SemanticCloud::absorb(SemanticCloud&& other) {
     tiles_[added.back()] = std::move(other.tiles_[otherIndex]);
   }
   for (const auto& [object, count] : other.pointCounts_) pointCounts_[object] += count;
+  changed_.merge(other.changed_);
   enter(added);
 }
 

@@ -22,7 +22,10 @@ std::string toString(State state) {
 class Odometry::Tracker {
  public:
   Tracker(const OdometryOptions& options, const Continuation& earlier)
-      : options_(options), map_(options.local_map, earlier.lastPoint + 1), poseTracker_(options_) {
+      : options_(options),
+        map_(options.local_map, earlier.lastPoint + 1),
+        poseTracker_(options_),
+        pieces_(earlier.map) {
     lastKeyframe_.id = earlier.lastKeyframe;
     submap_ = earlier.submap;
   }
@@ -76,6 +79,7 @@ class Odometry::Tracker {
   std::vector<PointId> lastSeen_;                                     ///< Points found in the last tracked frame.
   LastKeyframe lastKeyframe_;
   std::uint32_t submap_ = 0;
+  Pieces pieces_;
   int framesLost_ = 0;
 };
 
@@ -192,6 +196,7 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedI
   if (!isFirst) keyframe->T_previous_cam = lastKeyframe_.T_map_cam.inverse() * T_map_cam;
   keyframe->features = view.features;
   keyframe->features.semanticDescriptors.reset();  // it may hold on to whole images
+  pieces_.add(keyframe->id, submap_);
   map_.addKeyframe(keyframe->id, lastSeen_);
   map_.cull();
   lastKeyframe_ = {keyframe->id, view.frame, T_map_cam, 0};
@@ -207,11 +212,14 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
   result.matches = tracking.matches;
   result.inliers = static_cast<int>(tracking.inliers.size());
   result.keyframe = std::move(keyframe);
+  result.piece = pieces_.pieceOf(submap_);
+  result.isInMap = pieces_.isMap(submap_);
   return result;
 }
 
 void Odometry::Tracker::apply(const MapUpdate& update) {
   map_.apply(update, frame_);
+  pieces_.apply(update);
   for (PointId& id : lastSeen_) {
     if (const auto fused = update.fusedPoints.find(id); fused != update.fusedPoints.end()) id = fused->second;
   }

@@ -10,13 +10,14 @@ namespace wardslam::pipeline {
 EarlierMap readEarlierMap(const std::filesystem::path& file) {
   const auto map = storage::MapFile::open(file);
   EarlierMap earlier;
-  earlier.semantic = map.read();
+  earlier.semantic = map.read(storage::CloudPart::Include, storage::PiecePart::All);
+  earlier.graph.map = earlier.semantic.piece;
+  earlier.graph.freeSubmap = map.readFreeSubmap();
   earlier.graph.p_map_m = map.readPoints();
   for (odometry::Keyframe& keyframe : map.readViews()) {
     const auto placed = earlier.semantic.keyframes.find(keyframe.id);
     if (placed == earlier.semantic.keyframes.end()) continue;
     keyframe.T_map_cam = placed->second.T_map_cam;
-    keyframe.submap = 0;
     earlier.graph.keyframes.push_back(std::make_shared<const odometry::Keyframe>(std::move(keyframe)));
   }
   if (earlier.graph.keyframes.empty()) {

@@ -64,7 +64,7 @@ void checkContents(SQLite::Database& database, Problems& problems) {
   attempt([&] { (void)readPoints(database); });
   attempt([&] { (void)readLoops(database); });
   attempt([&] {
-    const auto map = readMap(database, CloudPart::Include);
+    const auto map = readMap(database, CloudPart::Include, PiecePart::All);
     std::size_t unowned = 0;
     for (const auto& [keyframe, tile] : map.cloud) {
       for (const auto& point : tile.points) {

@@ -46,7 +46,9 @@ MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader&
     : file_(MapFile::create(file, header)) {}
 
 MapFileWriter::MapFileWriter(MapFile file) : file_(std::move(file)) {
-  for (const auto& [id, keyframe] : file_.read(CloudPart::LeaveOut).keyframes) written_.insert(id);
+  const auto earlier = file_.read(CloudPart::LeaveOut, PiecePart::All);
+  for (const auto& [id, keyframe] : earlier.keyframes) written_.insert(id);
+  pending_.mapPiece = earlier.piece;  // goals and zones are in its frame
 }
 
 void MapFileWriter::add(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
@@ -69,6 +71,7 @@ MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
   merge(unwritten_, builder.takeChanges());
   MapChanges changes = changesOf(builder.map(unwritten_), unwritten_);
   if (!written_.empty()) changes.zones.reset();  // they do not change
+  changes.mapPiece = pending_.mapPiece;
   changes.p_map_m = pending_.p_map_m;
   changes.fusedPoints = pending_.fusedPoints;
   changes.removedPoints = pending_.removedPoints;

@@ -63,8 +63,17 @@ CREATE TABLE floor_plan (
   origin_x_m REAL NOT NULL, origin_y_m REAL NOT NULL, cells BLOB NOT NULL);
 )sql";
 
+/// What was stored before was one piece.
+constexpr const char* kVersion2 = R"sql(
+ALTER TABLE keyframes ADD COLUMN piece INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE objects ADD COLUMN piece INTEGER NOT NULL DEFAULT 0;
+CREATE VIEW map_piece AS SELECT coalesce(
+  (SELECT CAST(value AS INTEGER) FROM properties WHERE name = 'map_piece'),
+  (SELECT piece FROM keyframes GROUP BY piece ORDER BY count(*) DESC, piece LIMIT 1), 0) AS piece;
+)sql";
+
 /// The step at [i] leads from version i to i + 1.
-constexpr std::array<const char*, 1> kSteps = {kVersion1};
+constexpr std::array<const char*, 2> kSteps = {kVersion1, kVersion2};
 
 }  // namespace
 

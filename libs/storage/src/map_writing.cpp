@@ -12,15 +12,15 @@ namespace {
 
 void writeKeyframes(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement upsert(database,
-                           "INSERT INTO keyframes VALUES (?,?, ?,?,?, ?,?,?,?, ?) ON CONFLICT (id) DO UPDATE SET "
+                           "INSERT INTO keyframes VALUES (?,?, ?,?,?, ?,?,?,?, ?, ?) ON CONFLICT (id) DO UPDATE SET "
                            "stamp_s = excluded.stamp_s, x_m = excluded.x_m, y_m = excluded.y_m, z_m = excluded.z_m, "
                            "qx = excluded.qx, qy = excluded.qy, qz = excluded.qz, qw = excluded.qw, "
-                           "zone = excluded.zone");
+                           "zone = excluded.zone, piece = excluded.piece");
   SQLite::Statement fan(database,
                         "INSERT INTO free_fans VALUES (?,?) ON CONFLICT (keyframe) DO UPDATE SET "
                         "points = excluded.points WHERE points <> excluded.points");
   for (const auto& [id, keyframe] : changes.keyframes) {
-    (ParameterBinder(upsert) << id << keyframe.stamp_s << keyframe.T_map_cam << keyframe.zone).run();
+    (ParameterBinder(upsert) << id << keyframe.stamp_s << keyframe.T_map_cam << keyframe.zone << keyframe.piece).run();
     if (!keyframe.freeFan_cam_m.empty()) (ParameterBinder(fan) << id << encodeFan(keyframe.freeFan_cam_m)).run();
   }
 }
@@ -234,7 +234,7 @@ void removeObjects(SQLite::Database& database, const MapChanges& changes) {
 void writeObjects(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement row(database,
                         "INSERT OR REPLACE INTO objects VALUES (?,?,?, ?,?,?, ?,?,?, ?,?,?, ?,?,?, ?,?,?,?, ?,?,?, "
-                        "?,?,?, ?,?,?, ?,?)");
+                        "?,?,?, ?,?,?, ?,?, ?)");
   SQLite::Statement boxRow(database, "INSERT OR REPLACE INTO object_boxes VALUES (?, ?,?, ?,?, ?,?)");
   for (const auto& object : changes.objects) {
     const auto& [red, green, blue] = object.color_rgb;
@@ -243,7 +243,8 @@ void writeObjects(SQLite::Database& database, const MapChanges& changes) {
     ParameterBinder values(row);
     values << object.id << int{object.classId} << object.probability << object.centroid_m << min << max;
     values << object.orientedBox.T_map_box << object.orientedBox.size_m << int{red} << int{green} << int{blue};
-    values << object.firstSeen_s << object.lastSeen_s << object.views << object.zone << toString(object.state);
+    values << object.firstSeen_s << object.lastSeen_s << object.views << object.zone << toString(object.state)
+           << object.piece;
     values.run();
     ParameterBinder box(boxRow);
     box << object.id << min.x() << max.x() << min.y() << max.y() << min.z() << max.z();
@@ -261,6 +262,11 @@ void writeZones(SQLite::Database& database, const std::vector<mapping::Zone>& zo
     std::uint32_t position = 0;
     for (const auto& corner : zone.polygon_m) (ParameterBinder(cornerRow) << id << position++ << corner).run();
   }
+}
+
+void writeMapPiece(SQLite::Database& database, std::uint32_t piece) {
+  SQLite::Statement replace(database, "INSERT OR REPLACE INTO properties VALUES ('map_piece', ?)");
+  (ParameterBinder(replace) << piece).run();
 }
 
 void writeFloorPlan(SQLite::Database& database, const mapping::FloorPlan& plan) {
@@ -291,6 +297,7 @@ void writeChanges(SQLite::Database& database, const MapChanges& changes) {
   writeCloud(database, changes);
   removeObjects(database, changes);
   writeObjects(database, changes);
+  if (changes.mapPiece) writeMapPiece(database, *changes.mapPiece);
   if (changes.zones) writeZones(database, *changes.zones);
   if (changes.floorPlan) writeFloorPlan(database, *changes.floorPlan);
 }

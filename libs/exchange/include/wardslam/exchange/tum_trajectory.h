@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "wardslam/core/atomic_file.h"
@@ -29,6 +30,7 @@ class TumTrajectoryWriter {
   TumTrajectoryWriter& operator=(const TumTrajectoryWriter&) = delete;
 
   void write(const core::StampedPose& pose);
+  void writeComment(const std::string& line);  ///< Readers skip it.
 
   /// Gives the file its name. Throws InputError when the disk did not take all of it.
   void finish();

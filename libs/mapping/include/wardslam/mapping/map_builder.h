@@ -32,8 +32,8 @@ struct MapSetting {
 };
 
 /// Builds the semantic map (P8–P10) from views and from what the keyframe graph finds out. Everything it holds hangs on
-/// keyframes and follows their corrections. What was seen from submaps that are not joined to the first is kept, but is
-/// not part of the map.
+/// keyframes and follows their corrections. What was seen from submaps that are not joined is a piece of its own; the
+/// largest piece is the map (odometry::Pieces).
 ///
 /// Plain and single-threaded; the same input gives the same map.
 class MapBuilder {
@@ -43,7 +43,7 @@ class MapBuilder {
   MapBuilder(MapBuilder&&) noexcept;
   MapBuilder& operator=(MapBuilder&&) noexcept;
 
-  /// Goes on with the map of an earlier run, which is submap 0 from now on. Before anything else.
+  /// Goes on with the map of an earlier run, all its pieces: the piece that is the map stays it. Before anything else.
   void restore(const SemanticMap& earlier);
 
   /// Before the views that hang on it.
@@ -56,13 +56,13 @@ class MapBuilder {
   /// Works an image in. One whose keyframe nobody added is left out.
   void add(const View& view);
 
-  /// The map as it is now.
+  /// The map as it is now, without pieces that are not joined to it.
   [[nodiscard]] SemanticMap map();
 
-  /// Parts that are new, different or removed since the last call.
+  /// Parts, of any piece, that are new, different or removed since the last call.
   [[nodiscard]] MapParts takeChanges();
 
-  /// The map with no more keyframes, tiles and objects than these; what is missing in it was removed.
+  /// No more than these keyframes, tiles and objects, of whatever piece; what is missing was removed.
   [[nodiscard]] SemanticMap map(const MapParts& parts);
 
  private:

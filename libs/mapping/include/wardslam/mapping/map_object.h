@@ -37,6 +37,7 @@ struct MapObject {
   int views = 0;     ///< Frames of the map that saw it.
   std::string zone;  ///< Innermost zone its centroid lies in; empty = none.
   ObjectState state = ObjectState::Static;
+  std::uint32_t piece = 0;  ///< In whose frame it is (odometry::Pieces).
 };
 
 }  // namespace wardslam::mapping

@@ -11,8 +11,8 @@
 
 namespace wardslam::storage {
 
-/// Keeps a map file abreast of a run: what changed goes into it, in one transaction, keyframe by keyframe. What was
-/// seen from submaps that are not joined to the first waits until they are. For one thread at a time.
+/// Keeps a map file abreast of a run: what changed goes into it, in one transaction, keyframe by keyframe, each
+/// with the piece it belongs to. For one thread at a time.
 class MapFileWriter {
  public:
   /// Makes an empty map in place of a file that may be there. Throws core::InputError when that cannot be.
