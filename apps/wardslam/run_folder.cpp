@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "object_list.h"
+#include "support/told_at_once.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/first_failure.h"
 
 namespace wardslam::apps {
 namespace {
@@ -99,6 +101,21 @@ void removeTrajectoriesOfPieces(const std::filesystem::path& folder) {
   for (const auto& file : old) std::filesystem::remove(file, ignored);
 }
 
+/// Trouble that was survived, and what did not get into the results.
+core::EventCounts eventsOf(const RunSummary& summary) {
+  core::EventCounts events = summary.statistics.events();
+  core::accumulate(events, summary.slam.leftOut());
+  if (summary.failedMapWrites > 0) events["storage.write_failed"] = summary.failedMapWrites;
+  return events;
+}
+
+core::EventCounts damageOf(const RunSummary& summary) {
+  core::EventCounts damage = summary.damage;
+  const std::size_t unusable = summary.statistics.unusableFrames();
+  if (unusable > 0) damage["sources.observation_unusable"] += unusable;
+  return damage;
+}
+
 nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json;
@@ -121,8 +138,8 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);
   json["deterministic"] = summary.deterministic;
   json["interrupted"] = summary.interrupted;
-  json["events"] = statistics.events();
-  json["damaged_input"] = summary.damage;
+  json["events"] = eventsOf(summary);
+  json["damaged_input"] = damageOf(summary);
   return json;
 }
 
@@ -140,18 +157,32 @@ void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult
   if (livePiece_ && *livePiece_ != odometry.piece) live_.writeComment("piece " + std::to_string(odometry.piece));
   livePiece_ = odometry.piece;
   live_.write({frame.stamp_s, odometry.T_map_cam});
+  const bool isBehind = live_.isBehind();
+  if (isBehind && !wasBehind_) {
+    tellAtOnce((folder_ / "trajectory_live.txt").string() +
+               ": cannot be written (is the disk full?); the poses are kept and it is tried again with each");
+  }
+  wasBehind_ = isBehind;
 }
 
 void RunFolder::finish(const RunSummary& summary) {
-  live_.finish();
-  removeTrajectoriesOfPieces(folder_);
-  writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory());
-  for (const auto& [piece, trajectory] : summary.slam.unjoinedTrajectories()) {
-    writeTrajectory(folder_ / ("trajectory_piece_" + std::to_string(piece) + ".txt"), trajectory);
-  }
-  if (summary.slam.buildsSemanticMap()) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());
-  const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
+  core::FirstFailure failure;
+  failure.attempt([&] { live_.finish(); });
+  failure.attempt([&] { removeTrajectoriesOfPieces(folder_); });
+  failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory()); });
+  failure.attempt([&] {
+    for (const auto& [piece, trajectory] : summary.slam.unjoinedTrajectories()) {
+      writeTrajectory(folder_ / ("trajectory_piece_" + std::to_string(piece) + ".txt"), trajectory);
+    }
+  });
+  failure.attempt([&] {
+    if (summary.slam.buildsSemanticMap()) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());
+  });
+  failure.attempt([&] {
+    const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
+  });
+  failure.rethrow();
 }
 
 }  // namespace wardslam::apps

@@ -1,6 +1,7 @@
 #include "wardslam/mapping/map_builder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -58,6 +59,8 @@ class MapBuilder::Impl {
   void join(const odometry::SubmapJoin& join);
   void tellOfAnotherMap();
   void remove(const odometry::RemovedKeyframe& removed);
+  [[nodiscard]] Eigen::Isometry3d placeOf(const odometry::Keyframe& keyframe, std::uint32_t piece) const;
+  [[nodiscard]] std::map<KeyframeId, Eigen::Isometry3d> withYounger(const odometry::MapUpdate& update) const;
   void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
   const cv::Mat& raysOf(const core::CameraModel& camera);
   std::vector<ObjectId> recogniseObjects(Part& part, const View& view,
@@ -106,15 +109,36 @@ void MapBuilder::Impl::restore(const SemanticMap& earlier) {
 void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
   const std::uint32_t piece = pieces_.pieceOf(keyframe.submap);
   pieces_.add(keyframe.id, keyframe.submap);
-  keyframes_[keyframe.id] = {piece, keyframe.stamp_s, keyframe.T_map_cam, {}};
-  part(piece).cloud.addTile(keyframe.id, keyframe.T_map_cam);
+  const Eigen::Isometry3d T_map_cam = placeOf(keyframe, piece);
+  keyframes_[keyframe.id] = {piece, keyframe.stamp_s, T_map_cam, {}};
+  part(piece).cloud.addTile(keyframe.id, T_map_cam);
   changes_.keyframes.insert(keyframe.id);
 }
 
+/// As the keyframe graph places it: by the one before, where the map has that in the same frame.
+Eigen::Isometry3d MapBuilder::Impl::placeOf(const odometry::Keyframe& keyframe, std::uint32_t piece) const {
+  const auto previous = keyframes_.find(keyframe.id - 1);
+  const bool follows = previous != keyframes_.end() && previous->second.piece == piece;
+  return follows ? previous->second.T_map_cam * keyframe.T_previous_cam : keyframe.T_map_cam;
+}
+
 void MapBuilder::Impl::apply(const odometry::MapUpdate& update) {
-  follow(update.T_map_cam);
+  follow(withYounger(update));
   for (const auto& removed : update.removedKeyframes) remove(removed);
   if (update.joined) join(*update.joined);
+}
+
+/// The poses it names, and those of keyframes that it does not know yet.
+std::map<KeyframeId, Eigen::Isometry3d> MapBuilder::Impl::withYounger(const odometry::MapUpdate& update) const {
+  auto T_map_cam = update.T_map_cam;
+  const auto newest = keyframes_.find(update.newestKeyframe);
+  if (newest == keyframes_.end()) return T_map_cam;
+  const Eigen::Isometry3d correction = odometry::correctionOf(update, newest->second.T_map_cam);
+  for (auto younger = std::next(newest); younger != keyframes_.end(); ++younger) {
+    const auto& [id, keyframe] = *younger;
+    if (keyframe.piece == newest->second.piece) T_map_cam.try_emplace(id, correction * keyframe.T_map_cam);
+  }
+  return T_map_cam;
 }
 
 void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {

@@ -7,10 +7,13 @@
 
 namespace wardslam::pipeline {
 
-EarlierMap readEarlierMap(const std::filesystem::path& file) {
+EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use) {
   const auto map = storage::MapFile::open(file);
   EarlierMap earlier;
-  earlier.semantic = map.read(storage::CloudPart::Include, storage::PiecePart::All);
+  const bool isHeld = use == graph::Saved::IsHeld;  // a camera finds itself in the map alone
+  earlier.use = use;
+  earlier.semantic = map.read(isHeld ? storage::CloudPart::LeaveOut : storage::CloudPart::Include,
+                              isHeld ? storage::PiecePart::TheMap : storage::PiecePart::All);
   earlier.graph.map = earlier.semantic.piece;
   earlier.graph.freeSubmap = map.readFreeSubmap();
   earlier.graph.p_map_m = map.readPoints();

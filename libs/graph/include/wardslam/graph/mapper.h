@@ -22,6 +22,12 @@ namespace wardslam::graph {
 
 class LoopConfirmation;
 
+/// What is done with the keyframes of an earlier run.
+enum class Saved {
+  MayChange,  ///< They are adjusted and given up as others are.
+  IsHeld,     ///< They and their points stay as they are to the last bit; what comes is fitted to them.
+};
+
 /// Keeps the map of keyframes right as it grows: local bundle adjustment after every keyframe; where an old place is
 /// seen again by several keyframes, the loop is closed over a pose graph and everything adjusted, and taken back if it
 /// does not fit; submaps that meet are joined. Keyframes
@@ -35,7 +41,7 @@ class Mapper {
 
   /// Before the first insert(). What comes then must be of other submaps and have higher ids; it joins the saved map,
   /// or another of its pieces, where a place is recognised.
-  void restore(const SavedGraph& saved);
+  void restore(const SavedGraph& saved, Saved use = Saved::MayChange);
 
   /// Takes in a keyframe; keyframes come in order. Returns what tracking should know. Adjustments over the whole map
   /// end early once `stop` (may be null) is set.
@@ -51,8 +57,8 @@ class Mapper {
   [[nodiscard]] std::size_t submapsJoined() const { return submapsJoined_; }
   [[nodiscard]] const odometry::Pieces& pieces() const { return pieces_; }
 
-  /// Adjusts the whole map once more: after the last keyframe.
-  void adjustAll();
+  /// Adjusts the whole map once more: after the last keyframe. Returns where everything is now, as of that keyframe.
+  odometry::MapUpdate adjustAll();
 
  private:
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
@@ -66,6 +72,7 @@ class Mapper {
   [[nodiscard]] odometry::SubmapJoin directionOf(std::uint32_t piece, std::uint32_t other) const;
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
   void optimisePoses(std::uint32_t submap);
+  [[nodiscard]] bool isHeld(KeyframeId id) const { return graph_.keyframes().at(id).isHeld; }
   void fuse(const Loop& loop, odometry::MapUpdate& update);
   void recallAround(KeyframeId newest, odometry::MapUpdate& update);
   void recall(KeyframeId id, odometry::MapUpdate& update) const;
