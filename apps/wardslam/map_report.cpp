@@ -55,6 +55,8 @@ std::size_t objectsIn(const query::MapQuery& query, const std::string& zone) {
 Json toJson(const storage::MapFileInfo& info, const mapping::FloorPlan& plan) {
   return {{"schema_version", info.schemaVersion},
           {"size_bytes", info.size_bytes},
+          {"pieces", info.pieces},
+          {"keyframes_unjoined", info.keyframesElsewhere},
           {"keyframes", info.keyframes},
           {"first_stamp", info.firstStamp_s},
           {"last_stamp", info.lastStamp_s},
@@ -131,6 +133,10 @@ void print(std::ostream& out, const storage::MapFileInfo& info, const mapping::F
   if (info.keyframes > 0) {
     table.add({"  from", timeText(info.firstStamp_s)});
     table.add({"  to", timeText(info.lastStamp_s)});
+  }
+  if (info.keyframesElsewhere > 0) {
+    table.add({"pieces not joined", std::to_string(info.pieces - 1)});
+    table.add({"  keyframes", std::to_string(info.keyframesElsewhere)});
   }
   table.add({"loops", std::to_string(info.loops)});
   table.add({"tracking points", std::to_string(info.trackingPoints)});

@@ -125,6 +125,19 @@ void requireSoundInput(const sources::ObservationSource& source, const pipeline:
   }
 }
 
+/// Tracking was lost and begun anew: no failure of the run, but nobody should find it out by the missing half.
+void tellOfPieces(const pipeline::SlamSystem& slam, const std::filesystem::path& folder, std::size_t frames) {
+  const auto unjoined = slam.unjoinedTrajectories();
+  if (unjoined.empty()) return;
+  std::size_t elsewhere = 0;
+  for (const auto& [piece, trajectory] : unjoined) elsewhere += trajectory.size();
+  std::cerr << "wardslam: " << elsewhere << " of " << frames
+            << " frames are not in the map: tracking was lost and begun "
+            << "anew, and no place was recognised since; "
+            << (unjoined.size() == 1 ? "that piece is" : "those pieces are") << " stored beside the map and as "
+            << (folder / "trajectory_piece_*.txt").string() << "\n";
+}
+
 storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamSystem& slam,
                                    const std::optional<storage::MapCopy>& copy) {
   if (copy) return storage::MapFileWriter(storage::MapFile::open(copy->path(), storage::MapAccess::Write));
@@ -212,6 +225,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
     folder.finish({statistics, zoneWatch, source.damage(), slam, mapFile ? mapFile->failedWrites() : 0,
                    truth ? &*truth : nullptr, live ? &*live : nullptr, isInterrupted, run.options.deterministic});
   });
+  tellOfPieces(slam, run.out, statistics.frames());
   if (live) std::cerr << "wardslam: " << live->closingLine(statistics.frames()) << "\n";
   tellWhatWasLeftOut(slam.leftOut());
   failure.rethrow();

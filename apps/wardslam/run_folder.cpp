@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "object_list.h"
 #include "support/told_at_once.h"
@@ -84,6 +85,22 @@ nlohmann::ordered_json toJson(const LiveRun& live, std::size_t processed) {
           {"latency", {{"median_ms", rounded(latency.median_ms, 1)}, {"p95_ms", rounded(latency.p95_ms, 1)}}}};
 }
 
+void writeTrajectory(const std::filesystem::path& file, const core::Trajectory& trajectory) {
+  exchange::TumTrajectoryWriter writer(file);
+  for (const auto& pose : trajectory) writer.write(pose);
+  writer.finish();
+}
+
+/// An earlier run into the same folder may have left some.
+void removeTrajectoriesOfPieces(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().rfind("trajectory_piece_", 0) == 0) old.push_back(entry.path());
+  }
+  for (const auto& file : old) std::filesystem::remove(file, ignored);
+}
+
 /// Trouble that was survived, and what did not get into the results.
 core::EventCounts eventsOf(const RunSummary& summary) {
   core::EventCounts events = summary.statistics.events();
@@ -109,6 +126,8 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["keyframes"] = statistics.keyframes();
   json["loops_closed"] = summary.slam.mapper().loopsClosed();
   json["submaps_joined"] = summary.slam.mapper().submapsJoined();
+  json["pieces"] = summary.slam.mapper().pieces().sizes().size();
+  json["pieces_unjoined"] = summary.slam.unjoinedTrajectories().size();
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
   if (summary.truth != nullptr) json["dynamic"] = toJson(*summary.truth);
   if (summary.live != nullptr) json["live"] = toJson(*summary.live, statistics.frames());
@@ -134,7 +153,10 @@ void RunFolder::writeConfiguration(const std::string& yaml) const {
 }
 
 void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
-  if (odometry.hasPose()) live_.write({frame.stamp_s, odometry.T_map_cam});
+  if (!odometry.hasPose()) return;
+  if (livePiece_ && *livePiece_ != odometry.piece) live_.writeComment("piece " + std::to_string(odometry.piece));
+  livePiece_ = odometry.piece;
+  live_.write({frame.stamp_s, odometry.T_map_cam});
   const bool isBehind = live_.isBehind();
   if (isBehind && !wasBehind_) {
     tellAtOnce((folder_ / "trajectory_live.txt").string() +
@@ -146,10 +168,12 @@ void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult
 void RunFolder::finish(const RunSummary& summary) {
   core::FirstFailure failure;
   failure.attempt([&] { live_.finish(); });
+  failure.attempt([&] { removeTrajectoriesOfPieces(folder_); });
+  failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory()); });
   failure.attempt([&] {
-    exchange::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
-    for (const auto& pose : summary.slam.trajectory()) corrected.write(pose);
-    corrected.finish();
+    for (const auto& [piece, trajectory] : summary.slam.unjoinedTrajectories()) {
+      writeTrajectory(folder_ / ("trajectory_piece_" + std::to_string(piece) + ".txt"), trajectory);
+    }
   });
   failure.attempt([&] {
     if (summary.slam.buildsSemanticMap()) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());

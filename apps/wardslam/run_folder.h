@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "dynamic_truth.h"
@@ -28,8 +30,9 @@ struct RunSummary {
   bool deterministic;
 };
 
-/// The results of a run on disk: trajectory_live.txt (poses as they were known at the time; grows with every frame),
-/// trajectory.txt (the same frames, corrected by all that was learnt later), config.yaml and summary.json.
+/// The results of a run on disk: trajectory_live.txt (poses as they were known at the time; grows with every frame; a
+/// comment tells where another piece begins), trajectory.txt (the frames in the map, corrected by all that was learnt
+/// later), trajectory_piece_N.txt (those of pieces that are not joined to it), config.yaml and summary.json.
 class RunFolder : public pipeline::FrameObserver {
  public:
   /// Makes the folder. Throws core::InputError when it cannot be written.
@@ -43,7 +46,8 @@ class RunFolder : public pipeline::FrameObserver {
  private:
   std::filesystem::path folder_;
   exchange::TumTrajectoryWriter live_;
-  bool wasBehind_ = false;  ///< The disk did not take all poses.
+  std::optional<std::uint32_t> livePiece_;  ///< Of the last pose written.
+  bool wasBehind_ = false;                  ///< The disk did not take all poses.
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

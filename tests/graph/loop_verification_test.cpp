@@ -63,13 +63,13 @@ TEST_F(LoopVerificationTest, TiesTheLoopToTheNearestKeyframeOfThePlace) {
 }
 
 TEST_F(LoopVerificationTest, RefusesACorrectionThatDriftCannotExplain) {
-  walk(makePose({0.5, 0.0, 0.0}));  // on a way of 6 m, of which 5 % are believed, or 0.3 m
+  walk(makePose({0.5, 0.0, 0.0}));  // more than 3.5 standard deviations of a way of 6 m, and 0.3 m
   EXPECT_FALSE(verify());
 }
 
 TEST_F(LoopVerificationTest, BelievesMoreDriftWhenToldSo) {
   walk(makePose({0.5, 0.0, 0.0}));
-  options_.max_drift_fraction = 0.2;
+  options_.position_drift = 0.1;
   EXPECT_TRUE(verify());
 }
 

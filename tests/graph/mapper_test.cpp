@@ -91,9 +91,77 @@ TEST_F(MapperTest, GoesOnWithAnEarlierMap) {
   }
 
   walk_.loseTrack();  // the robot was switched off
-  for (int i = 0; i < 3; ++i) insert(mapper, walk_.step());
+  for (int i = 0; i < 4; ++i) insert(mapper, walk_.step());
   EXPECT_EQ(mapper.submapsJoined(), 1U);
-  EXPECT_LT(error_m(mapper, kKeyframes + 3), 0.02) << "in the frame of the earlier map";
+  EXPECT_LT(error_m(mapper, kKeyframes + 4), 0.02) << "in the frame of the earlier map";
+}
+
+TEST_F(MapperTest, JoinsPiecesOfAnEarlierRunInALaterOne) {
+  Mapper earlier(fewAndFast(), {});
+  for (const auto& keyframe : walk_.walk(8)) insert(earlier, keyframe);
+  walk_.loseTrack();
+  for (int i = 0; i < 6; ++i) walk_.skip();  // carried on, to where nothing of it is seen
+  for (const auto& keyframe : walk_.walk(12)) insert(earlier, keyframe);
+  ASSERT_EQ(earlier.submapsJoined(), 0U);
+  const SavedGraph saved = save(earlier.graph());
+  ASSERT_EQ(saved.map, 2U) << "the larger";
+
+  Mapper mapper(fewAndFast(), {});
+  mapper.restore(saved);
+  walk_.loseTrack();  // the robot was switched off, and begins where it stood
+  for (int i = 0; i < kRound - 10; ++i) insert(mapper, walk_.step());
+  EXPECT_EQ(mapper.submapsJoined(), 2U);
+  const Eigen::Isometry3d T_map_first = walk_.T_first_cam(9).inverse();
+  for (const auto& [id, node] : mapper.graph().keyframes()) {
+    EXPECT_EQ(node.submap, 2U) << id;
+    EXPECT_LT(test::distance_m(node.T_map_cam, T_map_first * walk_.T_first_cam(id)), 0.05)
+        << id << " stands where it should in the frame of the map";
+  }
+}
+
+TEST_F(MapperTest, OneLookMakesNoLoop) {
+  GraphOptions options = fewAndFast();
+  options.loop_confirmation.keyframes_to_join = 3;
+  Mapper mapper(options, {});
+  for (const auto& keyframe : walk_.walk(16)) insert(mapper, keyframe);
+  walk_.loseTrack();
+  for (int back = 0; back < 12; ++back) walk_.stepBack();
+  insert(mapper, walk_.step());
+  insert(mapper, walk_.step());
+  EXPECT_TRUE(mapper.loops().empty()) << "two may look alike";
+  EXPECT_EQ(mapper.pieces().sizes().size(), 2U);
+  insert(mapper, walk_.step());
+  EXPECT_EQ(mapper.loops().size(), 3U);
+  EXPECT_EQ(mapper.pieces().sizes().size(), 1U);
+}
+
+TEST_F(MapperTest, TakesALoopBackThatDoesNotFit) {
+  GraphOptions options = fewAndFast();
+  options.loop_verification.min_drift_m = 100.0;  // whatever looks alike is believed, by single looks
+  options.loop_verification.min_drift_rad = 3.2;
+  options.loop_confirmation.keyframes = 1;
+  Mapper mapper(options, {});
+  const auto room = walk_.walk(kRound - 12);
+  for (const auto& keyframe : room) insert(mapper, keyframe);
+  // On from there it looks as it did at the start, and all the way is seen without a gap.
+  const auto before = mapper.graph().keyframes();
+  auto lookalike = walk_.step();
+  const auto first = room.front();
+  const std::size_t own = lookalike->features.size();
+  for (std::size_t i = 0; i < first->features.size(); ++i) {
+    lookalike->features.keypoints.push_back(first->features.keypoints[i]);
+    lookalike->features.descriptors.push_back(first->features.descriptors.row(static_cast<int>(i)));
+    lookalike->sightings.push_back({2000000 + i, own + i});
+  }
+  const auto update = mapper.insert(lookalike);
+  EXPECT_EQ(mapper.loopsTakenBack(), 1U);
+  EXPECT_TRUE(mapper.loops().empty());
+  EXPECT_TRUE(update.fusedPoints.empty());
+  for (const auto& [id, node] : before) {
+    const auto now = mapper.graph().keyframes().find(id);
+    if (now == mapper.graph().keyframes().end()) continue;
+    EXPECT_LT(test::distance_m(now->second.T_map_cam, node.T_map_cam), 0.02) << id;
+  }
 }
 
 TEST_F(MapperTest, AHeldMapStaysAsItIsToTheLastBitAndWhatComesIsFittedToIt) {

@@ -22,18 +22,23 @@ TEST(SavedGraph, KeepsKeyframesAndPointsWhereTheGraphHasThem) {
   EXPECT_EQ(saved.p_map_m.at(point), Eigen::Vector3d(7, 8, 9));
   EXPECT_TRUE(saved.keyframes[1]->T_map_cam.isApprox(test::makePose({1, 2, 3})));
   for (const auto& keyframe : saved.keyframes) {
-    EXPECT_EQ(keyframe->submap, 0U);
+    EXPECT_EQ(keyframe->submap, saved.map);
     EXPECT_EQ(keyframe->sightings.size(), graph.keyframes().at(keyframe->id).keypointOf.size());
   }
 }
 
-TEST(SavedGraph, LeavesOutWhatWasNeverJoined) {
+TEST(SavedGraph, KeepsPiecesApart) {
   test::SyntheticWalk walk;
   KeyframeGraph graph;
   for (const auto& keyframe : walk.walk(2)) graph.insert(keyframe);
   walk.loseTrack();
-  graph.insert(walk.step());
-  EXPECT_EQ(save(graph).keyframes.size(), 2U);
+  for (const auto& keyframe : walk.walk(3)) graph.insert(keyframe);
+  const SavedGraph saved = save(graph);
+  ASSERT_EQ(saved.keyframes.size(), 5U);
+  EXPECT_EQ(saved.keyframes[0]->submap, 1U);
+  EXPECT_EQ(saved.keyframes[4]->submap, 2U);
+  EXPECT_EQ(saved.map, 2U) << "the larger";
+  EXPECT_EQ(saved.freeSubmap, 3U);
   EXPECT_TRUE(save(KeyframeGraph{}).keyframes.empty());
 }
 

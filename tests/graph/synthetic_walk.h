@@ -69,6 +69,12 @@ class SyntheticWalk {
     return keyframes;
   }
 
+  /// The camera goes on by a step that nobody sees.
+  void skip() { ++steps_; }
+
+  /// It is carried back by a step.
+  void stepBack() { --steps_; }
+
   /// No point is recognised in what follows; the way goes on.
   void forgetPoints() { remembered_.clear(); }
 

@@ -16,6 +16,7 @@
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/sources/observation_source.h"
+#include "wardslam/storage/map_file.h"
 
 /// Long ways, loops and kidnapping, on a small rendering of a floor that is made once.
 namespace wardslam {
@@ -62,8 +63,9 @@ class Floor : public ::testing::Test {
   }
 
   /// A recording of the frames [begin, end) of the floor, piece after piece, as if the camera had been carried from
-  /// one to the next within kGap_s.
-  static Truth cut(const fs::path& rawlog, const std::vector<std::pair<std::size_t, std::size_t>>& pieces) {
+  /// one to the next within kGap_s, and then been covered for so many images before it sees again.
+  static Truth cut(const fs::path& rawlog, const std::vector<std::pair<std::size_t, std::size_t>>& pieces,
+                   int covered = 0) {
     const auto truth = fullTruth();
     std::vector<std::shared_ptr<mrpt::obs::CObservation3DRangeScan>> frames;
     const auto source = sources::openSource(recording(), {});
@@ -79,6 +81,16 @@ class Floor : public ::testing::Test {
         stamp_s += 1 / kRate_hz;
       }
       stamp_s += kGap_s - 1 / kRate_hz;
+      for (int i = 0; i < covered && end != pieces.back().second; ++i) {
+        auto dark = *frames.at(end);
+        dark.intensityImage.filledRectangle(0, 0, static_cast<int>(dark.intensityImage.getWidth()),
+                                            static_cast<int>(dark.intensityImage.getHeight()),
+                                            mrpt::img::TColor::black());
+        dark.rangeImage.setZero();
+        dark.timestamp = core::toMrptTime(stamp_s);
+        writer.write(dark);
+        stamp_s += 1 / kRate_hz;
+      }
     }
     writer.commit();
     return cutTruth;
@@ -99,6 +111,8 @@ class Floor : public ::testing::Test {
     }
     return way_m;
   }
+
+  static void expectThatPiecesAreStoredAndTold(bool isDeterministic);
 
   static std::unique_ptr<test::TemporaryFolder> folder_;
 };
@@ -134,6 +148,44 @@ TEST_F(Floor, FindsItselfAgainInTheMapItKnows) {
   EXPECT_GE(framesUntilFound, 0) << "never found";
   EXPECT_LE(framesUntilFound, 10);
 }
+
+/// A short start, a covered lens, and a room that is never left: where it lies nobody can know.
+void Floor::expectThatPiecesAreStoredAndTold(bool isDeterministic) {
+  const fs::path rawlog = folder_->path() / "covered.rawlog";
+  const Truth truth = cut(rawlog, {{0, 6}, {110, 165}}, 16);
+  const fs::path out = folder_->path() / (isDeterministic ? "covered_out" : "covered_threads_out");
+  const fs::path config = folder_->path() / "mapping.yaml";
+  std::ofstream(config) << "features: {key_points: 700}\n";
+  std::vector<std::string> arguments{"run",      rawlog.string(), "--config", config.string(),
+                                     "--filter", "off",           "--out",    out.string()};
+  if (isDeterministic) arguments.emplace_back("--deterministic");
+  const auto result = test::runProgram("wardslam", arguments);
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_NE(result.err.find("6 of 77 frames are not in the map"), std::string::npos) << result.err;
+
+  const auto summary = nlohmann::json::parse(test::readText(out / "summary.json"));
+  EXPECT_EQ(summary.at("pieces"), 2);
+  EXPECT_EQ(summary.at("pieces_unjoined"), 1);
+  const auto trajectory = exchange::readTumTrajectory(out / "trajectory.txt");
+  EXPECT_EQ(trajectory.size(), 55U);
+  for (const auto& pose : trajectory) EXPECT_LT(error_m(truth, trajectory.front(), pose), 0.1) << "of one frame";
+  EXPECT_EQ(exchange::readTumTrajectory(out / "trajectory_piece_0.txt").size(), 6U);
+
+  const auto file = storage::MapFile::open(out / "map.wardmap");
+  EXPECT_TRUE(file.check().empty());
+  const auto info = file.info();
+  EXPECT_EQ(info.pieces, 2U);
+  EXPECT_GE(info.keyframesElsewhere, 1U);
+  EXPECT_GT(info.keyframes, info.keyframesElsewhere);
+  EXPECT_EQ(file.read().keyframes.size(), info.keyframes);
+  EXPECT_GE(file.read().keyframes.begin()->second.stamp_s, trajectory.front().stamp_s - 1e-3);
+  const auto told = test::runProgram("wardslam", {"map", "info", (out / "map.wardmap").string()});
+  EXPECT_NE(told.out.find("pieces not joined"), std::string::npos) << told.out;
+}
+
+TEST_F(Floor, PiecesAreStoredAndToldAndTheLargestIsTheMap) { expectThatPiecesAreStoredAndTold(true); }
+
+TEST_F(Floor, PiecesAreStoredAndToldWithThreads) { expectThatPiecesAreStoredAndTold(false); }
 
 TEST_F(Floor, MapsAnUnknownPlaceAndJoinsItToTheKnownOne) {
   // Carried from the corridor into a room it has not seen; comes back to the corridor on its own wheels.

@@ -296,6 +296,12 @@ TEST_F(MapBuilderTest, AnotherSubmapBelongsToTheMapOnceItIsJoined) {
   for (int i = 0; i < 4; ++i) builder_.add(scene::render(there, T_other_cam, stamp_s_ += 0.2, 2, T_other_cam));
   EXPECT_TRUE(objects().empty());
   EXPECT_EQ(builder_.map().keyframes.count(2), 0U);
+  const MapParts changes = builder_.takeChanges();
+  ASSERT_EQ(changes.objects.size(), 1U);
+  const SemanticMap pieces = builder_.map(changes);
+  EXPECT_EQ(pieces.objects.begin()->second.piece, 1U);
+  EXPECT_EQ(pieces.keyframes.at(2).piece, 1U);
+  EXPECT_EQ(pieces.cloud.count(2), 1U);
   odometry::MapUpdate update;
   update.T_map_cam[2] = cameraAt({0, 0, 1});  // it was the same place
   update.joined = odometry::SubmapJoin{1, 0};

@@ -99,7 +99,7 @@ TEST_F(OdometryTest, StartsWhereItIsTold) {
 }
 
 TEST_F(OdometryTest, NumbersGoOnBehindAnEarlierRun) {
-  odometry_ = Odometry(options(), {40, 5000, 3});
+  odometry_ = Odometry(options(), {40, 5000, 3, {}});
   const auto result = trackImage(0);
   ASSERT_NE(result.keyframe, nullptr);
   EXPECT_EQ(result.keyframe->id, 41U);
@@ -155,6 +155,30 @@ TEST_F(OdometryTest, ForeignFeaturesAreNoPlaceItKnows) {
   const auto back = trackImage(12);
   EXPECT_EQ(back.state, State::Ok);
   EXPECT_LT(distance_m(back.T_map_cam, truth(12)), 0.01);
+}
+
+TEST_F(OdometryTest, TellsWhenAPoseIsNotInTheMap) {
+  for (int image = 0; image < 20; ++image) EXPECT_TRUE(trackImage(image).isInMap);
+  for (int i = 0; i <= options().max_lost_frames; ++i) track({});
+  const auto anew = trackImage(40);
+  ASSERT_TRUE(anew.hasPose());
+  EXPECT_EQ(anew.piece, 1U);
+  EXPECT_FALSE(anew.isInMap) << "nobody knows how far the camera went meanwhile";
+  MapUpdate update;
+  update.joined = SubmapJoin{1, 0};
+  odometry_.apply(update);
+  const auto joined = trackImage(41);
+  EXPECT_EQ(joined.piece, 0U);
+  EXPECT_TRUE(joined.isInMap);
+}
+
+TEST_F(OdometryTest, BesideAnEarlierMapNothingElseIsTheMap) {
+  odometry_ = Odometry(options(), {40, 5000, 3, 0});
+  for (int image = 0; image < 5; ++image) {
+    const auto result = trackImage(image);
+    EXPECT_EQ(result.piece, 3U);
+    EXPECT_FALSE(result.isInMap);
+  }
 }
 
 TEST_F(OdometryTest, FollowsTheMajorityWhereSomeMoveAlongWithTheCamera) {
@@ -232,9 +256,10 @@ class OdometryCorrected : public OdometryTest {
     return both;
   }
 
-  /// What a mapper says that has worked in so many keyframes, and finds all it knows elsewhere.
+  /// What a mapper says that has worked in so many keyframes, has closed a loop, and finds all it knows elsewhere.
   [[nodiscard]] MapUpdate correctionUpTo(std::size_t count, const Eigen::Isometry3d& correction) const {
     MapUpdate update;
+    update.movesTheMap = true;
     for (std::size_t k = 0; k < count; ++k) {
       const Keyframe& keyframe = *keyframes_[k];
       update.newestKeyframe = keyframe.id;
@@ -275,6 +300,18 @@ TEST_F(OdometryCorrected, WhatTheMapperDidNotKnowYetFollowsTheNewestKeyframeItKn
     EXPECT_LT(distance_m(corrected.T_keyframe_cam, untouched.T_keyframe_cam), 0.003) << "no step in the trajectory";
     EXPECT_GT(corrected.inliers, untouched.inliers * 4 / 5) << "points of younger keyframes are where they belong";
   }
+}
+
+TEST_F(OdometryCorrected, WhatIsYoungerStaysWhereOnlyAFewKeyframesWereAdjusted) {
+  trackUntilKeyframes(4);
+  trackBoth(image_++);
+  MapUpdate adjustment = correctionUpTo(2, correction_);
+  adjustment.movesTheMap = false;
+  adjustment.p_map_m.clear();
+  EXPECT_TRUE(odometry_.apply(adjustment).isApprox(Eigen::Isometry3d::Identity(), 1e-12));
+  const auto [corrected, untouched] = trackBoth(image_++);
+  EXPECT_TRUE(corrected.T_map_cam.isApprox(untouched.T_map_cam, 1e-9));
+  EXPECT_TRUE(corrected.T_keyframe_cam.isApprox(untouched.T_keyframe_cam, 1e-9));
 }
 
 TEST_F(OdometryCorrected, ACorrectionIsNotAppliedTwice) {

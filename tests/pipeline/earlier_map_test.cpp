@@ -29,6 +29,7 @@ TEST_F(EarlierMapTest, HasKeyframesWhereTheMapHasThemAndTheirPoints) {
   keyframe->sightings = {{31, 0}};
   storage::MapChanges changes;
   changes.keyframes[7].T_map_cam.translation() = Eigen::Vector3d(1, 2, 3);
+  changes.keyframes[7].piece = 4;
   changes.views = {keyframe};
   changes.p_map_m[31] = Eigen::Vector3d(4, 5, 6);
   storage::MapFile::create(file_).write(changes);
@@ -36,8 +37,9 @@ TEST_F(EarlierMapTest, HasKeyframesWhereTheMapHasThemAndTheirPoints) {
   const EarlierMap earlier = readEarlierMap(file_);
   ASSERT_EQ(earlier.graph.keyframes.size(), 1U);
   EXPECT_EQ(earlier.graph.keyframes[0]->id, 7U);
-  EXPECT_EQ(earlier.graph.keyframes[0]->submap, 0U);
-  EXPECT_EQ(earlier.graph.lastSubmap, 2U) << "the next run has numbers of its own";
+  EXPECT_EQ(earlier.graph.keyframes[0]->submap, 4U);
+  EXPECT_EQ(earlier.graph.map, 4U);
+  EXPECT_EQ(earlier.graph.freeSubmap, 5U);
   EXPECT_TRUE(earlier.graph.keyframes[0]->T_map_cam.translation().isApprox(Eigen::Vector3d(1, 2, 3)));
   EXPECT_EQ(earlier.graph.p_map_m.at(31), Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(earlier.semantic.keyframes.count(7), 1U);

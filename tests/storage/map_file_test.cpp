@@ -198,7 +198,7 @@ TEST_F(MapFileTest, GivesBackHintsDepthNoiseAndHowSureLoopsAre) {
   EXPECT_FALSE(file.read().objects.at(1).maybeSameAs);
   EXPECT_EQ(file.readViews()[0].camera.depthNoise, (core::DepthNoise{0.01, 0.02, 0.5}));
   EXPECT_EQ(file.readViews()[1].camera.depthNoise, core::DepthNoise{});
-  EXPECT_EQ(file.readViews()[0].submap, 3U);
+  EXPECT_EQ(file.readFreeSubmap(), 4U);
   EXPECT_EQ(file.readLoops().at(0).inliers, 77);
 }
 
@@ -208,10 +208,14 @@ TEST_F(MapFileTest, BringsAFileOfTheFirstVersionUpToDate) {
        {"depth_noises", "object_hints", "tile_memories", "object_memories", "object_votes", "object_pairs"}) {
     runSql(std::string("DROP TABLE ") + table);
   }
-  runSql("ALTER TABLE edges DROP COLUMN inliers; PRAGMA user_version = 1");
+  runSql(
+      "ALTER TABLE edges DROP COLUMN inliers; DROP VIEW map_piece; ALTER TABLE keyframes DROP COLUMN piece; "
+      "ALTER TABLE objects DROP COLUMN piece; PRAGMA user_version = 1");
   const auto file = MapFile::open(path_);
   EXPECT_THAT(file.check(), IsEmpty());
   EXPECT_EQ(file.info().schemaVersion, 2);
+  EXPECT_EQ(file.info().pieces, 1U) << "what there was is one piece, and the map";
+  EXPECT_EQ(file.read().keyframes.size(), ward_.keyframes.size());
   EXPECT_EQ(file.read().objects.size(), ward_.objects.size());
   EXPECT_EQ(file.readLoops().at(0).inliers, 30);
   EXPECT_TRUE(file.readMemory().objects.empty());
@@ -242,6 +246,8 @@ TEST_F(MapFileTest, TellsHowMuchItHolds) {
   writeWard();
   const auto info = MapFile::open(path_).info();
   EXPECT_EQ(info.schemaVersion, 2);
+  EXPECT_EQ(info.pieces, 1U);
+  EXPECT_EQ(info.keyframesElsewhere, 0U);
   EXPECT_EQ(info.size_bytes, fs::file_size(path_));
   EXPECT_EQ(info.keyframes, 3U);
   EXPECT_EQ(info.trackingPoints, 27U);

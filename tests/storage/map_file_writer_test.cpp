@@ -12,8 +12,10 @@ namespace wardslam::storage {
 namespace {
 
 using testing::ElementsAre;
+using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Pair;
 
 /// A graph and a builder that hear of keyframes together, as in a run.
 class MapFileWriterTest : public testing::Test {
@@ -73,11 +75,19 @@ TEST_F(MapFileWriterTest, CorrectedPosesAndPointsFollow) {
   EXPECT_EQ(file.readPoints().at(12), Eigen::Vector3d(4, 5, 6));
 }
 
-TEST_F(MapFileWriterTest, WhatASubmapSawWaitsUntilItIsJoined) {
+TEST_F(MapFileWriterTest, WhatIsNotJoinedIsAPieceOfItsOwnUntilItIs) {
   insertAndWrite(1, 0);
   insertAndWrite(2, 1);
+  EXPECT_THAT(MapFile::open(path_).read().keyframes, ElementsAre(Pair(1, Field(&mapping::MappedKeyframe::piece, 0))));
   insertAndWrite(3, 1);
-  EXPECT_THAT(keyframes(), ElementsAre(1));
+  EXPECT_THAT(keyframes(), ElementsAre(1, 2, 3)) << "nothing is lost";
+  EXPECT_THAT(MapFile::open(path_).read().keyframes, ElementsAre(Pair(2, testing::_), Pair(3, testing::_)))
+      << "the largest is the map";
+  EXPECT_EQ(MapFile::open(path_).info().pieces, 2U);
+  EXPECT_EQ(MapFile::open(path_).info().keyframes, 2U);
+  EXPECT_EQ(MapFile::open(path_).info().keyframesElsewhere, 1U);
+  EXPECT_EQ(MapFile::open(path_).readFreeSubmap(), 2U);
+  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
   odometry::MapUpdate update;
   update.joined = odometry::SubmapJoin{1, 0};
   update.T_map_cam[2] = Eigen::Isometry3d(Eigen::Translation3d(9, 0, 0));
@@ -87,6 +97,22 @@ TEST_F(MapFileWriterTest, WhatASubmapSawWaitsUntilItIsJoined) {
   EXPECT_THAT(keyframes(), ElementsAre(1, 2, 3));
   EXPECT_EQ(MapFile::open(path_).read().keyframes.at(2).T_map_cam.translation().x(), 9.0);
   EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+}
+
+TEST_F(MapFileWriterTest, AMapThatIsGoneOnWithStaysTheMap) {
+  insertAndWrite(1, 0);
+  MapFileWriter later(MapFile::open(path_, MapAccess::Write));
+  mapping::MapBuilder builder({}, {ward_.labels, {}, mapping::Zones(ward_.zones)});
+  builder.restore(MapFile::open(path_).read(CloudPart::Include, PiecePart::All));
+  for (const odometry::KeyframeId id : {2, 3}) {
+    const auto view = test::makeView(id, ward_);
+    view->submap = 1;
+    builder.addKeyframe(*view);
+    later.add(view);
+    later.write(builder);
+  }
+  EXPECT_THAT(MapFile::open(path_).read().keyframes, ElementsAre(Pair(1, testing::_)));
+  EXPECT_EQ(MapFile::open(path_).info().keyframesElsewhere, 2U);
 }
 
 TEST_F(MapFileWriterTest, InTheEndTheFileHoldsTheGraphAsItIs) {

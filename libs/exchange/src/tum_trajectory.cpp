@@ -135,6 +135,10 @@ void TumTrajectoryWriter::write(const core::StampedPose& pose) {
   file_.stream() << '\n' << std::flush;
 }
 
+void TumTrajectoryWriter::writeComment(const std::string& line) {
+  file_.stream() << "# " << line << '\n' << std::flush;
+}
+
 void TumTrajectoryWriter::finish() {
   if (finished_) return;
   file_.commit();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "way_uncertainty.h"
+
 namespace wardslam::graph {
 namespace {
 
@@ -25,19 +27,6 @@ std::vector<PointObservation> observationsOf(const KeyframeGraph& graph, const s
     observations.push_back({graph.points().at(match.point).point.p_map_m, keypoint});
   }
   return observations;
-}
-
-/// Length of the camera's path between two keyframes, along the keyframes between as far as they share a frame.
-double pathLength_m(const KeyframeGraph& graph, KeyframeId from, KeyframeId to) {
-  double length_m = 0.0;
-  const auto& keyframes = graph.keyframes();
-  for (auto it = keyframes.find(from); it->first != to; ++it) {
-    const KeyframeNode& here = it->second;
-    const KeyframeNode& next = std::next(it)->second;
-    if (here.submap != next.submap) continue;
-    length_m += (next.T_map_cam.translation() - here.T_map_cam.translation()).norm();
-  }
-  return length_m;
 }
 
 /// A keyframe of the place, how many of its points were found and how many should be in sight.
@@ -85,7 +74,8 @@ std::vector<KeyframeId> LoopVerification::placeAround(const KeyframeGraph& graph
 }
 
 std::optional<Loop> LoopVerification::verify(const KeyframeGraph& graph, KeyframeId newer,
-                                             const std::vector<KeyframeId>& place) const {
+                                             const std::vector<KeyframeId>& place,
+                                             const std::vector<Loop>& closed) const {
   const KeyframeNode& node = graph.keyframes().at(newer);
   const odometry::Keyframe& keyframe = *node.keyframe;
   const auto points = pointsOf(graph, place);
@@ -121,17 +111,19 @@ std::optional<Loop> LoopVerification::verify(const KeyframeGraph& graph, Keyfram
   const Eigen::Isometry3d T_older_map = graph.keyframes().at(overlap.keyframe).T_map_cam.inverse();
   Loop loop{overlap.keyframe,          newer, T_older_map * pose.T_cam_map.inverse(), pose.inliers,
             samePoints(node, inliers), place};
-  return isPlausible(graph, loop) ? std::optional(loop) : std::nullopt;
+  return isPlausible(graph, loop, closed) ? std::optional(loop) : std::nullopt;
 }
 
-bool LoopVerification::isPlausible(const KeyframeGraph& graph, const Loop& loop) const {
+bool LoopVerification::isPlausible(const KeyframeGraph& graph, const Loop& loop,
+                                   const std::vector<Loop>& closed) const {
   const KeyframeNode& older = graph.keyframes().at(loop.older);
   const KeyframeNode& newer = graph.keyframes().at(loop.newer);
   if (older.submap != newer.submap) return true;  // nothing is known of how far apart they are
   const Eigen::Isometry3d T_map_newer = older.T_map_cam * loop.T_older_newer;
-  const double correction_m = (T_map_newer.translation() - newer.T_map_cam.translation()).norm();
-  const double believable_m = options_.max_drift_fraction * pathLength_m(graph, loop.older, loop.newer);
-  return correction_m < std::max(options_.min_drift_m, believable_m);
+  const auto uncertainty = uncertaintyOfWay(graph, closed, loop.older, loop.newer, options_);
+  const Eigen::Isometry3d correction = T_map_newer * newer.T_map_cam.inverse();
+  return uncertainty && uncertainty->explains(T_map_newer.translation() - newer.T_map_cam.translation(),
+                                              Eigen::AngleAxisd(correction.linear()).angle(), options_);
 }
 
 }  // namespace wardslam::graph

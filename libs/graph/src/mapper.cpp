@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bundle_adjustment.h"
+#include "loop_confirmation.h"
 #include "pose_graph.h"
 #include "redundancy.h"
 #include "wardslam/core/mrpt_compat.h"
@@ -45,16 +46,24 @@ void tellNewest(const KeyframeGraph& graph, KeyframeId newest, odometry::MapUpda
   update.T_map_cam[newest] = node.T_map_cam;
 }
 
-/// The loop as it is when what hung on the removed keyframe hangs on its heir.
-void rehang(Loop& loop, const odometry::RemovedKeyframe& removed) {
-  if (loop.older == removed.id) {
-    loop.older = removed.heir;
-    loop.T_older_newer = removed.T_heir_cam * loop.T_older_newer;
+/// Of all keyframes of one piece that see the same as the one before, how one stands to the other.
+std::map<KeyframeId, Eigen::Isometry3d> tiedSteps(const KeyframeGraph& graph, std::uint32_t piece,
+                                                  int minSharedPoints) {
+  std::map<KeyframeId, Eigen::Isometry3d> steps;
+  for (const auto& [id, node] : graph.keyframes()) {
+    const auto previous = graph.keyframes().find(id - 1);
+    if (node.submap != piece || previous == graph.keyframes().end() || previous->second.submap != piece) continue;
+    const auto isShared = [&](const auto& sighting) { return previous->second.keypointOf.count(sighting.first) != 0; };
+    const auto shared = std::count_if(node.keypointOf.begin(), node.keypointOf.end(), isShared);
+    if (shared >= minSharedPoints) steps.emplace(id, previous->second.T_map_cam.inverse() * node.T_map_cam);
   }
-  if (loop.newer == removed.id) {
-    loop.newer = removed.heir;
-    loop.T_older_newer = loop.T_older_newer * removed.T_heir_cam.inverse();
-  }
+  return steps;
+}
+
+bool isNear(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const LoopConfirmationOptions& options) {
+  const Eigen::Isometry3d difference = a.inverse() * b;
+  return difference.translation().norm() < options.max_misfit_m &&
+         Eigen::AngleAxisd(difference.linear()).angle() < options.max_misfit_rad;
 }
 
 }  // namespace
@@ -62,11 +71,18 @@ void rehang(Loop& loop, const odometry::RemovedKeyframe& removed) {
 Mapper::Mapper(const GraphOptions& options, const odometry::OdometryOptions& odometry)
     : options_(options),
       places_(options.place_recognition),
-      verification_(options.loop_verification, odometry.matcher, odometry.pose_solver) {}
+      verification_(options.loop_verification, odometry.matcher, odometry.pose_solver),
+      confirmation_(std::make_unique<LoopConfirmation>(options.loop_confirmation)) {}
+
+Mapper::~Mapper() = default;
 
 void Mapper::restore(const SavedGraph& saved, Saved use) {
+  if (saved.keyframes.empty()) return;
+  keptMap_ = saved.map;
+  pieces_ = odometry::Pieces(saved.map);
   for (const auto& keyframe : saved.keyframes) {
     graph_.restore(keyframe, saved.p_map_m);
+    pieces_.add(keyframe->id, keyframe->submap);
     rememberPlace(keyframe->id);
   }
   for (const Loop& loop : saved.loops) {
@@ -81,12 +97,14 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
                                    const std::atomic<bool>* stop) {
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
   graph_.insert(keyframe);
+  pieces_.add(keyframe->id, keyframe->submap);
   auto update = adjust(graph_, localWindow(graph_, keyframe->id, adjustment), adjustment, adjustment.local_iterations);
   cullPoints(keyframe->id, update);
   if (options_.cull_keyframes) cullKeyframes(keyframe->id, update);
   if (options_.close_loops) {
     rememberPlaces(keyframe->id);
-    if (const auto loop = recognise(keyframe->id)) close(*loop, stop, update);
+    const auto loops = confirmation_->confirm(graph_, keyframe->id, recognise(keyframe->id));
+    if (!loops.empty()) close(loops, stop, update);
   }
   recallAround(keyframe->id, update);
   tellNewest(graph_, keyframe->id, update);
@@ -137,8 +155,10 @@ void Mapper::remove(KeyframeId id, odometry::MapUpdate& update) {
     if (isSeenOnce) onProbation_.emplace(*node->second.seenBy.begin(), point);
   }
   places_.remove(id);
+  pieces_.remove(id);
   young_.erase(std::remove(young_.begin(), young_.end(), id), young_.end());
   for (Loop& loop : loops_) rehang(loop, removed);
+  confirmation_->apply(removed);
   const auto tiesNothing = [](const Loop& loop) { return loop.older == loop.newer; };
   loops_.erase(std::remove_if(loops_.begin(), loops_.end(), tiesNothing), loops_.end());
 }
@@ -181,51 +201,101 @@ void Mapper::rememberPlace(KeyframeId id) {
   places_.add(id, descriptors);
 }
 
-std::optional<Loop> Mapper::recognise(KeyframeId newest) const {
+std::vector<Loop> Mapper::recognise(KeyframeId newest) const {
   std::set<KeyframeId> known{newest};
   for (const auto& [id, shared] : graph_.covisible(newest)) known.insert(id);
+  std::vector<KeyframeId> candidates = confirmation_->expected(graph_, newest);
   const auto& features = graph_.keyframes().at(newest).keyframe->features;
-  for (const KeyframeId candidate : places_.candidates(features, known)) {
+  for (const KeyframeId alike : places_.candidates(features, known)) candidates.push_back(alike);
+  std::vector<Loop> seen;
+  for (const KeyframeId candidate : candidates) {
     if (known.count(candidate) != 0) continue;
     const auto place = verification_.placeAround(graph_, candidate);
     const bool isTiedAlready =
         std::any_of(place.begin(), place.end(), [&](KeyframeId id) { return known.count(id) != 0; });
     known.insert(place.begin(), place.end());
     if (isTiedAlready) continue;
-    if (auto loop = verification_.verify(graph_, newest, place)) return loop;
+    if (auto loop = verification_.verify(graph_, newest, place, loops_)) seen.push_back(std::move(*loop));
   }
-  return std::nullopt;
+  return seen;
 }
 
-void Mapper::close(const Loop& loop, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
-  loops_.push_back(loop);
-  ++loopsClosed_;
-  update.joined = joinSubmaps(loop);
-  const std::uint32_t submap = graph_.keyframes().at(loop.newer).submap;
-  optimisePoses(submap);
-  fuse(loop, update);
+/// Whatever does not fit in the end is taken back whole, before anybody hears of it.
+void Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
+  const KeyframeGraph graphBefore = graph_;
+  const odometry::Pieces piecesBefore = pieces_;
+  const std::size_t loopsBefore = loops_.size();
+  loops_.insert(loops_.end(), loops.begin(), loops.end());
+  odometry::MapUpdate closing;
+  closing.joined = joinSubmaps(loops.front());
+  const std::uint32_t piece = graph_.keyframes().at(loops.front().newer).submap;
+  const auto steps = tiedSteps(graph_, piece, options_.pose_graph.min_shared_points);
+  optimisePoses(piece);
+  for (const Loop& loop : loops) fuse(loop, closing);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
-  const auto adjusted = adjust(graph_, globalWindow(graph_, submap), adjustment, adjustment.global_iterations, stop);
+  const auto adjusted = adjust(graph_, globalWindow(graph_, piece), adjustment, adjustment.global_iterations, stop);
+  if (!fits(steps)) {
+    graph_ = graphBefore;
+    pieces_ = piecesBefore;
+    loops_.resize(loopsBefore);
+    ++loopsTakenBack_;
+    return;
+  }
+  ++loopsClosed_;
+  if (closing.joined) ++submapsJoined_;
+  update.movesTheMap = true;
+  update.joined = closing.joined;
+  update.fusedPoints = std::move(closing.fusedPoints);
   update.removedPoints.insert(update.removedPoints.end(), adjusted.removedPoints.begin(), adjusted.removedPoints.end());
   update.p_map_m.clear();  // with them the points fused away
-  describe(graph_, submap, update);
-  for (const KeyframeId id : loop.place) recall(id, update);
+  describe(graph_, piece, update);
+  for (const Loop& loop : loops) {
+    for (const KeyframeId id : loop.place) {
+      if (graph_.keyframes().count(id) != 0) recall(id, update);
+    }
+  }
+}
+
+/// A loop that is wrong stands against others, or against what keyframes see in common: it must bend one of them.
+bool Mapper::fits(const std::map<KeyframeId, Eigen::Isometry3d>& stepsBefore) const {
+  const auto& keyframes = graph_.keyframes();
+  const auto step = [&](KeyframeId from, KeyframeId to) -> Eigen::Isometry3d {
+    return keyframes.at(from).T_map_cam.inverse() * keyframes.at(to).T_map_cam;
+  };
+  const LoopConfirmationOptions& options = options_.loop_confirmation;
+  const auto isBent = [&](const auto& before) {
+    return !isNear(before.second, step(before.first - 1, before.first), options);
+  };
+  const auto isMissed = [&](const Loop& loop) {
+    const bool isOfOnePiece = keyframes.at(loop.older).submap == keyframes.at(loop.newer).submap;
+    return isOfOnePiece && !isNear(loop.T_older_newer, step(loop.older, loop.newer), options);
+  };
+  return std::none_of(stepsBefore.begin(), stepsBefore.end(), isBent) &&
+         std::none_of(loops_.begin(), loops_.end(), isMissed);
+}
+
+/// The map of an earlier run keeps its frame, else the piece begun first does.
+odometry::SubmapJoin Mapper::directionOf(std::uint32_t piece, std::uint32_t other) const {
+  const auto [first, second] = std::minmax(piece, other);
+  if (keptMap_ == second) return {first, second};
+  return {second, first};
 }
 
 std::optional<odometry::SubmapJoin> Mapper::joinSubmaps(const Loop& loop) {
   const KeyframeNode& older = graph_.keyframes().at(loop.older);
   const KeyframeNode& newer = graph_.keyframes().at(loop.newer);
   if (older.submap == newer.submap) return std::nullopt;
-  const std::uint32_t from = newer.submap;
-  const Eigen::Isometry3d T_older_newerMap = older.T_map_cam * loop.T_older_newer * newer.T_map_cam.inverse();
+  const odometry::SubmapJoin join = directionOf(older.submap, newer.submap);
+  Eigen::Isometry3d T_into_from = older.T_map_cam * loop.T_older_newer * newer.T_map_cam.inverse();
+  if (join.into == newer.submap) T_into_from = T_into_from.inverse();
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
   for (const auto& [id, node] : graph_.keyframes()) {
-    if (node.submap == from) T_map_cam[id] = T_older_newerMap * node.T_map_cam;
+    if (node.submap == join.from) T_map_cam[id] = T_into_from * node.T_map_cam;
   }
   moveKeyframes(graph_, T_map_cam);
-  graph_.joinSubmaps(from, older.submap);
-  ++submapsJoined_;
-  return odometry::SubmapJoin{from, older.submap};
+  graph_.joinSubmaps(join.from, join.into);
+  pieces_.join(join);
+  return join;
 }
 
 void Mapper::optimisePoses(std::uint32_t submap) {

@@ -1,14 +1,20 @@
 #include "wardslam/graph/saved_graph.h"
 
+#include <algorithm>
+
+#include "wardslam/odometry/pieces.h"
+
 namespace wardslam::graph {
 
 SavedGraph save(const KeyframeGraph& graph) {
   SavedGraph saved;
+  odometry::Pieces pieces;
   for (const auto& [id, node] : graph.keyframes()) {
-    if (node.submap != graph.keyframes().begin()->second.submap) continue;
     auto keyframe = std::make_shared<odometry::Keyframe>(*node.keyframe);
+    saved.freeSubmap = std::max({saved.freeSubmap, keyframe->submap + 1, node.submap + 1});
+    pieces.add(id, node.submap);
     keyframe->T_map_cam = node.T_map_cam;
-    keyframe->submap = 0;
+    keyframe->submap = node.submap;
     keyframe->sightings.clear();
     for (const auto& [point, keypoint] : node.keypointOf) {
       keyframe->sightings.push_back({point, keypoint});
@@ -16,6 +22,7 @@ SavedGraph save(const KeyframeGraph& graph) {
     }
     saved.keyframes.push_back(std::move(keyframe));
   }
+  saved.map = pieces.map().value_or(0);
   return saved;
 }
 

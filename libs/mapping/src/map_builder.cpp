@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "things_in_hands.h"
 #include "usable_pixels.h"
 #include "wardslam/core/view_rays.h"
+#include "wardslam/odometry/pieces.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -21,28 +21,21 @@ namespace {
 /// A class not seen says less than a class seen: networks miss things more often than they see what is not there.
 constexpr float kUnclassifiedWeight = 0.25F;
 
-/// Points are taken for seen through only when everything so near (px) to them is farther away.
-constexpr int kSeenThroughMargin_px = 2;
-
 /// One record of two, when it is more probable than all else together.
 constexpr double kSurelyOne = 0.5;
 
-cv::Mat nearestAround(const cv::Mat& depth_m) {
-  const int side = 2 * kSeenThroughMargin_px + 1;
-  cv::Mat nearest;  // holes stay holes, and spread: what is not measured is not seen through
-  cv::erode(depth_m, nearest, cv::getStructuringElement(cv::MORPH_RECT, {side, side}));
-  return nearest;
-}
-
-/// What submaps have each.
+/// What pieces have each.
 struct Part {
-  explicit Part(const MappingOptions& options) : cloud(options.cloud), objects(options.objects) {}
+  explicit Part(const MappingOptions& options)
+      : cloud(options.cloud), objects(options.objects), table(options.objects) {}
   SemanticCloud cloud;
   ObjectDatabase objects;
+  ObjectTable table;
+  std::set<ObjectId> touched;  ///< To be described anew.
 };
 
 struct PlacedKeyframe {
-  std::uint32_t submap = 0;
+  std::uint32_t piece = 0;
   double stamp_s = 0.0;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Vector3f> freeFan_cam_m;
@@ -52,8 +45,7 @@ struct PlacedKeyframe {
 
 class MapBuilder::Impl {
  public:
-  Impl(const MappingOptions& options, MapSetting setting)
-      : options_(options), setting_(std::move(setting)), table_(options.objects) {}
+  Impl(const MappingOptions& options, MapSetting setting) : options_(options), setting_(std::move(setting)) {}
 
   void restore(const SemanticMap& earlier, const MapMemory& memory);
   void addKeyframe(const odometry::Keyframe& keyframe);
@@ -65,10 +57,13 @@ class MapBuilder::Impl {
   MapParts takeChanges();
 
  private:
-  Part& part(std::uint32_t submap) { return parts_.try_emplace(submap, options_).first->second; }
-  void join(std::uint32_t from, std::uint32_t into);
+  Part& part(std::uint32_t piece) { return parts_.try_emplace(piece, options_).first->second; }
+  [[nodiscard]] std::string zoneAt(std::uint32_t piece, const Eigen::Vector3d& p_map_m) const;
+  [[nodiscard]] MapParts everything(std::uint32_t piece) const;
+  void join(const odometry::SubmapJoin& join);
+  void tellOfAnotherMap();
   void remove(const odometry::RemovedKeyframe& removed);
-  [[nodiscard]] Eigen::Isometry3d placeOf(const odometry::Keyframe& keyframe, std::uint32_t submap) const;
+  [[nodiscard]] Eigen::Isometry3d placeOf(const odometry::Keyframe& keyframe, std::uint32_t piece) const;
   [[nodiscard]] std::map<KeyframeId, Eigen::Isometry3d> withYounger(const odometry::MapUpdate& update) const;
   void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
   const cv::Mat& raysOf(const core::CameraModel& camera);
@@ -76,83 +71,89 @@ class MapBuilder::Impl {
   void takeMerges(Part& part);
   void removeGone(Part& part, const std::vector<ObjectId>& gone);
   void refresh();
+  void restoreTile(std::uint64_t id, const SemanticMap& earlier, const MapMemory& memory);
   void restoreObjects(const SemanticMap& earlier, const MapMemory& memory);
-  void mergeSameBoxes();
-  void reuniteMoved();
-  void describeTouched();
-  [[nodiscard]] SemanticCloudTile publish(const Tile& tile) const;
+  void mergeSameBoxes(Part& part);
+  void reuniteMoved(Part& part);
+  void describeTouched(Part& part);
+  [[nodiscard]] SemanticCloudTile publish(const Tile& tile, const Part& part) const;
 
   MappingOptions options_;
   MapSetting setting_;
   std::map<KeyframeId, PlacedKeyframe> keyframes_;
-  std::map<std::uint32_t, std::uint32_t> joinedInto_;
-  std::map<std::uint32_t, Part> parts_;
-  std::optional<std::uint32_t> first_;  ///< The submap whose part is the map.
+  odometry::Pieces pieces_;
+  std::map<std::uint32_t, Part> parts_;     ///< By piece.
+  std::optional<std::uint32_t> toldAsMap_;  ///< The piece that was the map when changes were taken last.
   ObjectId nextId_ = 1;
-  ObjectTable table_;
-  std::set<ObjectId> touched_;
   MapParts changes_;
   std::optional<core::CameraModel> raysCamera_;
   cv::Mat rays_;
 };
 
 void MapBuilder::Impl::restore(const SemanticMap& earlier, const MapMemory& memory) {
-  constexpr std::uint32_t kSubmap = 0;
-  first_ = kSubmap;
-  Part& main = part(kSubmap);
+  pieces_ = odometry::Pieces(earlier.piece);
+  toldAsMap_ = earlier.piece;
   for (const auto& [id, keyframe] : earlier.keyframes) {
-    keyframes_[id] = {kSubmap, keyframe.stamp_s, keyframe.T_map_cam, keyframe.freeFan_cam_m};
-    if (setting_.zones.at(keyframe.T_map_cam.translation().head<2>()) != keyframe.zone) changes_.keyframes.insert(id);
-    const auto known = memory.tiles.find(id);
-    const auto shown = earlier.cloud.find(id);
-    if (known != memory.tiles.end()) {
-      main.cloud.restore(id, keyframe.T_map_cam, known->second);
-    } else {
-      main.cloud.restore(id, keyframe.T_map_cam, shown == earlier.cloud.end() ? SemanticCloudTile{} : shown->second);
-    }
+    keyframes_[id] = {keyframe.piece, keyframe.stamp_s, keyframe.T_map_cam, keyframe.freeFan_cam_m};
+    pieces_.add(id, keyframe.piece);
+    if (zoneAt(keyframe.piece, keyframe.T_map_cam.translation()) != keyframe.zone) changes_.keyframes.insert(id);
+    restoreTile(id, earlier, memory);
   }
   restoreObjects(earlier, memory);
-  static_cast<void>(main.cloud.takeChanges());  // the earlier run has written them
-  static_cast<void>(main.cloud.takeChangedObjects());
+  for (auto& [piece, part] : parts_) {  // the earlier run has written them
+    static_cast<void>(part.cloud.takeChanges());
+    static_cast<void>(part.cloud.takeChangedObjects());
+  }
+}
+
+void MapBuilder::Impl::restoreTile(std::uint64_t id, const SemanticMap& earlier, const MapMemory& memory) {
+  const MappedKeyframe& keyframe = earlier.keyframes.at(id);
+  SemanticCloud& cloud = part(keyframe.piece).cloud;
+  const auto known = memory.tiles.find(id);
+  const auto shown = earlier.cloud.find(id);
+  if (known != memory.tiles.end()) {
+    cloud.restore(id, keyframe.T_map_cam, known->second);
+  } else {
+    cloud.restore(id, keyframe.T_map_cam, shown == earlier.cloud.end() ? SemanticCloudTile{} : shown->second);
+  }
 }
 
 void MapBuilder::Impl::restoreObjects(const SemanticMap& earlier, const MapMemory& memory) {
-  ObjectDatabase& objects = part(*first_).objects;
   nextId_ = earlier.nextObjectId;
   for (const auto& [id, object] : earlier.objects) {
-    objects.restore(id, ObjectRecord::from(object, options_.objects.min_evidence));
-    table_.restore(object);
-    if (setting_.zones.at(object.centroid_m.head<2>()) != object.zone) changes_.objects.insert(id);
+    Part& home = part(object.piece);
+    home.objects.restore(id, ObjectRecord::from(object, options_.objects.min_evidence));
+    home.table.restore(object);
+    if (zoneAt(object.piece, object.centroid_m) != object.zone) changes_.objects.insert(id);
     nextId_ = std::max(nextId_, id + 1);
   }
   for (const auto& [id, object] : memory.objects) {
-    objects.restore(id, ObjectRecord(object));
+    part(object.piece).objects.restore(id, ObjectRecord(object));
     nextId_ = std::max(nextId_, id + 1);
   }
-  objects.restore(memory.pairs);
+  for (auto& [piece, part] : parts_) part.objects.restore(memory.pairs);
 }
 
 void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
-  const auto joined = joinedInto_.find(keyframe.submap);
-  const std::uint32_t submap = joined == joinedInto_.end() ? keyframe.submap : joined->second;
-  if (!first_) first_ = submap;
-  const Eigen::Isometry3d T_map_cam = placeOf(keyframe, submap);
-  keyframes_[keyframe.id] = {submap, keyframe.stamp_s, T_map_cam, {}};
-  part(submap).cloud.addTile(keyframe.id, T_map_cam);
+  const std::uint32_t piece = pieces_.pieceOf(keyframe.submap);
+  pieces_.add(keyframe.id, keyframe.submap);
+  const Eigen::Isometry3d T_map_cam = placeOf(keyframe, piece);
+  keyframes_[keyframe.id] = {piece, keyframe.stamp_s, T_map_cam, {}};
+  part(piece).cloud.addTile(keyframe.id, T_map_cam);
   changes_.keyframes.insert(keyframe.id);
 }
 
 /// As the keyframe graph places it: by the one before, where the map has that in the same frame.
-Eigen::Isometry3d MapBuilder::Impl::placeOf(const odometry::Keyframe& keyframe, std::uint32_t submap) const {
+Eigen::Isometry3d MapBuilder::Impl::placeOf(const odometry::Keyframe& keyframe, std::uint32_t piece) const {
   const auto previous = keyframes_.find(keyframe.id - 1);
-  const bool follows = previous != keyframes_.end() && previous->second.submap == submap;
+  const bool follows = previous != keyframes_.end() && previous->second.piece == piece;
   return follows ? previous->second.T_map_cam * keyframe.T_previous_cam : keyframe.T_map_cam;
 }
 
 void MapBuilder::Impl::apply(const odometry::MapUpdate& update) {
   follow(withYounger(update));
   for (const auto& removed : update.removedKeyframes) remove(removed);
-  if (update.joined) join(update.joined->from, update.joined->into);
+  if (update.joined) join(*update.joined);
 }
 
 /// The poses it names, and those of keyframes that it does not know yet.
@@ -163,7 +164,7 @@ std::map<KeyframeId, Eigen::Isometry3d> MapBuilder::Impl::withYounger(const odom
   const Eigen::Isometry3d correction = odometry::correctionOf(update, newest->second.T_map_cam);
   for (auto younger = std::next(newest); younger != keyframes_.end(); ++younger) {
     const auto& [id, keyframe] = *younger;
-    if (keyframe.submap == newest->second.submap) T_map_cam.try_emplace(id, correction * keyframe.T_map_cam);
+    if (keyframe.piece == newest->second.piece) T_map_cam.try_emplace(id, correction * keyframe.T_map_cam);
   }
   return T_map_cam;
 }
@@ -175,9 +176,7 @@ void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_m
     keyframe->second.T_map_cam = pose;
     changes_.keyframes.insert(id);
   }
-  for (auto& [submap, part] : parts_) {
-    touched_.merge(part.cloud.movePoses(T_map_cam));
-  }
+  for (auto& [piece, part] : parts_) part.touched.merge(part.cloud.movePoses(T_map_cam));
 }
 
 /// The heir saw the same floor free.
@@ -185,28 +184,29 @@ void MapBuilder::Impl::remove(const odometry::RemovedKeyframe& removed) {
   const auto keyframe = keyframes_.find(removed.id);
   const auto heir = keyframes_.find(removed.heir);
   if (keyframe == keyframes_.end() || heir == keyframes_.end()) return;
-  Part& part = this->part(keyframe->second.submap);
-  touched_.merge(part.cloud.movePoses({{removed.id, heir->second.T_map_cam * removed.T_heir_cam}}));
+  Part& part = this->part(keyframe->second.piece);
+  part.touched.merge(part.cloud.movePoses({{removed.id, heir->second.T_map_cam * removed.T_heir_cam}}));
   part.cloud.moveTile(removed.id, removed.heir);
   keyframes_.erase(keyframe);
+  pieces_.remove(removed.id);
   changes_.keyframes.insert(removed.id);
 }
 
-void MapBuilder::Impl::join(std::uint32_t from, std::uint32_t into) {
+void MapBuilder::Impl::join(const odometry::SubmapJoin& join) {
   for (auto& [id, keyframe] : keyframes_) {
-    if (keyframe.submap != from) continue;
-    keyframe.submap = into;
+    if (keyframe.piece != join.from) continue;
+    keyframe.piece = join.into;
     changes_.keyframes.insert(id);
   }
-  for (auto& [submap, joined] : joinedInto_) {
-    if (joined == from) joined = into;
-  }
-  joinedInto_[from] = into;
-  const auto joining = parts_.find(from);
+  pieces_.join(join);
+  const auto joining = parts_.find(join.from);
   if (joining == parts_.end()) return;
-  for (const auto& [id, object] : joining->second.objects.objects()) touched_.insert(id);
-  part(into).cloud.absorb(std::move(joining->second.cloud));
-  part(into).objects.absorb(std::move(joining->second.objects));
+  Part& into = part(join.into);
+  for (const auto& [id, object] : joining->second.objects.objects()) into.touched.insert(id);
+  into.touched.merge(joining->second.touched);
+  into.cloud.absorb(std::move(joining->second.cloud));
+  into.objects.absorb(std::move(joining->second.objects));
+  into.table.absorb(std::move(joining->second.table));
   parts_.erase(joining);
 }
 
@@ -221,7 +221,7 @@ const cv::Mat& MapBuilder::Impl::raysOf(const core::CameraModel& camera) {
 void MapBuilder::Impl::add(const View& view) {
   const auto keyframe = keyframes_.find(view.keyframe);
   if (keyframe == keyframes_.end()) return;
-  Part& part = this->part(keyframe->second.submap);
+  Part& part = this->part(keyframe->second.piece);
   if (view.isKeyframe) {
     keyframe->second.freeFan_cam_m =
         freeFan(view.depth_m, view.camera, keyframe->second.T_map_cam, options_.floor_plan);
@@ -250,9 +250,9 @@ void MapBuilder::Impl::add(const View& view) {
   }
   part.cloud.fuse(samples, points, votes, view.keyframe);
   takeMerges(part);
-  for (const auto& [id, count] : look.inSight) touched_.insert(id);
-  for (const auto& [id, count] : look.erased) touched_.insert(id);
-  touched_.insert(objects.begin(), objects.end());
+  for (const auto& [id, count] : look.inSight) part.touched.insert(id);
+  for (const auto& [id, count] : look.erased) part.touched.insert(id);
+  part.touched.insert(objects.begin(), objects.end());
 }
 
 std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View& view, const Recognition& seen) {
@@ -265,65 +265,64 @@ std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View&
 void MapBuilder::Impl::takeMerges(Part& part) {
   for (const auto& [from, into] : part.objects.takeMerges()) {
     part.cloud.renameObject(from, into);
-    touched_.insert({from, into});
+    part.touched.insert({from, into});
   }
 }
 
 void MapBuilder::Impl::removeGone(Part& part, const std::vector<ObjectId>& gone) {
   for (const ObjectId id : gone) {
     part.cloud.eraseObject(id);
-    touched_.insert(id);
+    part.touched.insert(id);
   }
 }
 
 void MapBuilder::Impl::refresh() {
-  if (!first_) return;
-  describeTouched();
-  mergeSameBoxes();
-  reuniteMoved();
-  describeTouched();
+  for (auto& [piece, part] : parts_) {
+    if (part.touched.empty()) continue;
+    describeTouched(part);
+    mergeSameBoxes(part);
+    reuniteMoved(part);
+    describeTouched(part);
+  }
 }
 
-void MapBuilder::Impl::describeTouched() {
-  Part& main = part(*first_);
-  takeMerges(main);
-  const auto before = table_.rows();
-  const auto changed = table_.update(std::exchange(touched_, {}), main.objects, main.cloud);
+void MapBuilder::Impl::describeTouched(Part& part) {
+  takeMerges(part);
+  const auto before = part.table.rows();
+  const auto changed = part.table.update(std::exchange(part.touched, {}), part.objects, part.cloud);
   for (const ObjectId id : changed) {
     const auto was = before.find(id);
-    const auto is = table_.rows().find(id);
+    const auto is = part.table.rows().find(id);
     const bool wasThere = was != before.end();
-    const bool isThere = is != table_.rows().end();
-    if (wasThere != isThere || (isThere && was->second.classId != is->second.classId)) main.cloud.touchObject(id);
+    const bool isThere = is != part.table.rows().end();
+    if (wasThere != isThere || (isThere && was->second.classId != is->second.classId)) part.cloud.touchObject(id);
   }
   changes_.objects.insert(changed.begin(), changed.end());
 }
 
-void MapBuilder::Impl::mergeSameBoxes() {
-  Part& main = part(*first_);
-  for (const auto& [from, into] : sameBoxes(table_, main.objects, options_.cloud.voxel_m)) {
-    main.objects.merge(from, into);
+void MapBuilder::Impl::mergeSameBoxes(Part& part) {
+  for (const auto& [from, into] : sameBoxes(part.table, part.objects, options_.cloud.voxel_m)) {
+    part.objects.merge(from, into);
   }
 }
 
-void MapBuilder::Impl::reuniteMoved() {
-  Part& main = part(*first_);
+void MapBuilder::Impl::reuniteMoved(Part& part) {
   std::map<ObjectId, MaybeSame> hints;
-  for (const auto& pair : reappearances(table_, main.objects, setting_.movable, options_.objects)) {
+  for (const auto& pair : reappearances(part.table, part.objects, setting_.movable, options_.objects)) {
     if (pair.isWitnessed && pair.probability > kSurelyOne) {
-      removeGone(main, {pair.lost});
-      touched_.insert({pair.lost, pair.found});
-      main.objects.reunite(pair.lost, pair.found);
+      removeGone(part, {pair.lost});
+      part.touched.insert({pair.lost, pair.found});
+      part.objects.reunite(pair.lost, pair.found);
       continue;
     }
     MaybeSame& hint = hints[pair.found];
     if (pair.probability > hint.probability) hint = {pair.lost, pair.probability};
   }
-  changes_.objects.merge(table_.hint(hints));
+  changes_.objects.merge(part.table.hint(hints));
 }
 
-SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
-  const ObjectDatabase& objects = parts_.at(*first_).objects;
+SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile, const Part& part) const {
+  const ObjectDatabase& objects = part.objects;
   SemanticCloudTile published;
   for (const CloudPoint& point : tile.points) {
     if (point.sightings < options_.cloud.min_sightings) continue;
@@ -337,21 +336,28 @@ SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
     const auto record = objects.objects().find(point.object);
     if (record == objects.objects().end()) continue;
     p.classId = record->second.classId();
-    if (table_.rows().count(point.object) > 0) p.object = point.object;
+    if (part.table.rows().count(point.object) > 0) p.object = point.object;
   }
   return published;
 }
 
-SemanticMap MapBuilder::Impl::map() {
-  if (first_) touched_.merge(part(*first_).cloud.takeChangedObjects());  // small corrections, too
-  refresh();
+MapParts MapBuilder::Impl::everything(std::uint32_t piece) const {
   MapParts all;
   for (const auto& [id, keyframe] : keyframes_) {
-    all.keyframes.insert(id);
-    all.tiles.insert(id);
+    if (keyframe.piece == piece) all.keyframes.insert(id);
   }
-  for (const auto& [id, object] : table_.rows()) all.objects.insert(id);
-  SemanticMap map = this->map(all);
+  all.tiles = all.keyframes;
+  const auto part = parts_.find(piece);
+  if (part == parts_.end()) return all;
+  for (const auto& [id, object] : part->second.table.rows()) all.objects.insert(id);
+  return all;
+}
+
+SemanticMap MapBuilder::Impl::map() {
+  for (auto& [piece, part] : parts_) part.touched.merge(part.cloud.takeChangedObjects());  // small corrections, too
+  refresh();
+  const auto piece = pieces_.map();
+  SemanticMap map = this->map(piece ? everything(*piece) : MapParts{});
   map.floorPlan = drawFloorPlan(map, options_.floor_plan);
   return map;
 }
@@ -361,44 +367,70 @@ SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
   map.labels = setting_.labels;
   map.zones = setting_.zones.all();
   map.nextObjectId = nextId_;
+  map.piece = pieces_.map().value_or(0);
   for (const KeyframeId id : parts.keyframes) {
     const auto entry = keyframes_.find(id);
-    if (entry == keyframes_.end() || entry->second.submap != first_) continue;
+    if (entry == keyframes_.end()) continue;
     const PlacedKeyframe& keyframe = entry->second;
-    const std::string zone = setting_.zones.at(keyframe.T_map_cam.translation().head<2>());
-    map.keyframes[id] = {keyframe.stamp_s, keyframe.T_map_cam, zone, keyframe.freeFan_cam_m};
+    const std::string zone = zoneAt(keyframe.piece, keyframe.T_map_cam.translation());
+    map.keyframes[id] = {keyframe.stamp_s, keyframe.T_map_cam, zone, keyframe.piece, keyframe.freeFan_cam_m};
   }
   for (const KeyframeId id : parts.tiles) {
-    const Tile* tile = first_ ? part(*first_).cloud.find(id) : nullptr;
+    const auto keyframe = keyframes_.find(id);
+    if (keyframe == keyframes_.end()) continue;
+    const Part& part = this->part(keyframe->second.piece);
+    const Tile* tile = part.cloud.find(id);
     if (tile == nullptr) continue;
-    auto published = publish(*tile);
+    auto published = publish(*tile, part);
     if (!published.points.empty()) map.cloud[id] = std::move(published);
   }
   for (const ObjectId id : parts.objects) {
-    const auto row = table_.rows().find(id);
-    if (row == table_.rows().end()) continue;
-    map.objects.insert(*row).first->second.zone = setting_.zones.at(row->second.centroid_m.head<2>());
+    for (const auto& [piece, part] : parts_) {
+      const auto row = part.table.rows().find(id);
+      if (row == part.table.rows().end()) continue;
+      MapObject& object = map.objects.insert(*row).first->second;
+      object.piece = piece;
+      object.zone = zoneAt(piece, object.centroid_m);
+    }
   }
   return map;
 }
 
 MapMemory MapBuilder::Impl::memory(const std::set<KeyframeId>& tiles) const {
   MapMemory memory;
-  const auto main = first_ ? parts_.find(*first_) : parts_.end();
-  if (main == parts_.end()) return memory;
-  for (const KeyframeId id : tiles) {
-    const Tile* tile = main->second.cloud.find(id);
-    if (tile != nullptr && !tile->points.empty()) memory.tiles[id] = SemanticCloud::remember(*tile);
+  for (const auto& [piece, part] : parts_) {
+    for (const KeyframeId id : tiles) {
+      const Tile* tile = part.cloud.find(id);
+      if (tile != nullptr && !tile->points.empty()) memory.tiles[id] = SemanticCloud::remember(*tile);
+    }
+    for (const auto& [id, record] : part.objects.objects())
+      memory.objects.emplace(id, record).first->second.piece = piece;
+    const auto pairs = part.objects.pairs();
+    memory.pairs.insert(pairs.begin(), pairs.end());
   }
-  for (const auto& [id, record] : main->second.objects.objects()) memory.objects.emplace(id, record);
-  memory.pairs = main->second.objects.pairs();
   return memory;
 }
 
 MapParts MapBuilder::Impl::takeChanges() {
   refresh();
-  if (first_) changes_.tiles = part(*first_).cloud.takeChanges();
+  tellOfAnotherMap();
+  for (auto& [piece, part] : parts_) changes_.tiles.merge(part.cloud.takeChanges());
   return std::exchange(changes_, {});
+}
+
+/// Zones are of the map: where another piece is it now, those of both are told anew.
+void MapBuilder::Impl::tellOfAnotherMap() {
+  const auto before = std::exchange(toldAsMap_, pieces_.map());
+  if (!before || before == toldAsMap_) return;
+  for (const auto piece : {*before, *toldAsMap_}) {
+    MapParts parts = everything(piece);
+    changes_.keyframes.merge(parts.keyframes);
+    changes_.objects.merge(parts.objects);
+  }
+}
+
+std::string MapBuilder::Impl::zoneAt(std::uint32_t piece, const Eigen::Vector3d& p_map_m) const {
+  return pieces_.map() == piece ? setting_.zones.at(p_map_m.head<2>()) : std::string();
 }
 
 MapBuilder::MapBuilder(const MappingOptions& options, MapSetting setting)

@@ -24,6 +24,9 @@ class ObjectTable {
   /// A row of an earlier map.
   void restore(const MapObject& row) { rows_[row.id] = row; }
 
+  /// Takes over the rows of another table; they must be described anew.
+  void absorb(ObjectTable&& other) { rows_.merge(other.rows_); }
+
   [[nodiscard]] const std::map<ObjectId, MapObject>& rows() const { return rows_; }
 
  private:

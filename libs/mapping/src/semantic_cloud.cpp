@@ -358,6 +358,7 @@ void SemanticCloud::absorb(SemanticCloud&& other) {
     pointCounts_[object] += count;
     noteChange(object);
   }
+  changed_.merge(other.changed_);
   enter(added);
 }
 

@@ -5,6 +5,9 @@
 namespace wardslam::mapping {
 namespace {
 
+/// Points are taken for seen through only when everything so near (px) to them is farther away.
+constexpr int kSeenThroughMargin_px = 2;
+
 constexpr float kDisparityStep_m = 348.0F;  // depth times disparity of a Kinect; one disparity step is z² / 348 m
 constexpr float kSlope_m = 0.02F;
 constexpr int kFlierReach_px = 2;
@@ -58,6 +61,13 @@ cv::Mat usablePixels(const View& view, const knowledge::ClassSet& moving, const 
   usable.setTo(0, movingPixels(view, moving, options.mover_margin_px));
   usable.setTo(0, fliers(view.depth_m, view.camera.depthNoise));
   return usable;
+}
+
+cv::Mat nearestAround(const cv::Mat& depth_m) {
+  const int side = 2 * kSeenThroughMargin_px + 1;
+  cv::Mat nearest;  // holes stay holes, and spread: what is not measured is not seen through
+  cv::erode(depth_m, nearest, cv::getStructuringElement(cv::MORPH_RECT, {side, side}));
+  return nearest;
 }
 
 }  // namespace wardslam::mapping

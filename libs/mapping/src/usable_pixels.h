@@ -16,4 +16,8 @@ namespace wardslam::mapping {
 /// and no fliers, which hang in the air between a near and a far surface where a depth pixel saw both.
 [[nodiscard]] cv::Mat usablePixels(const View& view, const knowledge::ClassSet& moving, const CloudOptions& options);
 
+/// Of each pixel the least depth in its neighbourhood, 0 where any is unknown: points are seen through only when all so
+/// near to them is farther away.
+[[nodiscard]] cv::Mat nearestAround(const cv::Mat& depth_m);
+
 }  // namespace wardslam::mapping

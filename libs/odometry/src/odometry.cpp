@@ -29,7 +29,10 @@ std::string toString(State state) {
 class Odometry::Tracker {
  public:
   Tracker(const OdometryOptions& options, const Continuation& earlier)
-      : options_(options), map_(options.local_map, earlier.lastPoint + 1), poseTracker_(options_) {
+      : options_(options),
+        map_(options.local_map, earlier.lastPoint + 1),
+        poseTracker_(options_),
+        pieces_(earlier.map) {
     lastKeyframe_.id = earlier.lastKeyframe;
     submap_ = earlier.submap;
   }
@@ -92,6 +95,7 @@ class Odometry::Tracker {
   LastKeyframe lastKeyframe_;
   std::deque<AwaitedKeyframe> awaited_;  ///< Of this submap, oldest first.
   std::uint32_t submap_ = 0;
+  Pieces pieces_;
   int framesLost_ = 0;
 };
 
@@ -209,6 +213,7 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedI
   if (!isFirst) keyframe->T_previous_cam = lastKeyframe_.T_map_cam.inverse() * T_map_cam;
   keyframe->features = view.features;
   keyframe->features.semanticDescriptors.reset();  // it may hold on to whole images
+  pieces_.add(keyframe->id, submap_);
   map_.addKeyframe(keyframe->id, lastSeen_);
   map_.cull();
   lastKeyframe_ = {keyframe->id, view.frame, T_map_cam, 0};
@@ -226,21 +231,29 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
   result.matches = tracking.matches;
   result.inliers = static_cast<int>(tracking.inliers.size());
   result.keyframe = std::move(keyframe);
+  result.piece = pieces_.pieceOf(submap_);
+  result.isInMap = pieces_.isMap(submap_);
   return result;
 }
 
 Eigen::Isometry3d Odometry::Tracker::apply(const MapUpdate& update) {
   if (update.submap != submap_) return Eigen::Isometry3d::Identity();
   map_.apply(update, frame_);
+  pieces_.apply(update);
   for (PointId& id : lastSeen_) {
     if (const auto fused = update.fusedPoints.find(id); fused != update.fusedPoints.end()) id = fused->second;
   }
   return moveWhatIsYounger(update);
 }
 
+/// When the mapper is behind and has adjusted a few keyframes only, the camera and what is younger stay: they were
+/// placed by points in sight, and follow these with the next image. How the mapper's newest keyframe moves is half that
+/// image's own error; given to what is younger it would come back with the next keyframe's pose, and grow.
 Eigen::Isometry3d Odometry::Tracker::moveWhatIsYounger(const MapUpdate& update) {
   while (!awaited_.empty() && awaited_.front().id < update.newestKeyframe) awaited_.pop_front();
   if (awaited_.empty() || awaited_.front().id != update.newestKeyframe) return Eigen::Isometry3d::Identity();
+  const bool isBehind = awaited_.size() > 1;
+  if (isBehind && !update.movesTheMap) return Eigen::Isometry3d::Identity();
   const Eigen::Isometry3d correction = correctionOf(update, awaited_.front().T_map_cam);
   map_.movePoints(awaited_.front().nextPoint, correction);
   for (AwaitedKeyframe& keyframe : awaited_) keyframe.T_map_cam = correction * keyframe.T_map_cam;

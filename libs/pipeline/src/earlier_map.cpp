@@ -11,16 +11,18 @@ namespace wardslam::pipeline {
 EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use) {
   const auto map = storage::MapFile::open(file);
   EarlierMap earlier;
+  const bool isHeld = use == graph::Saved::IsHeld;  // a camera finds itself in the map alone
   earlier.use = use;
-  earlier.semantic = map.read(use == graph::Saved::IsHeld ? storage::CloudPart::LeaveOut : storage::CloudPart::Include);
-  if (use == graph::Saved::MayChange) earlier.memory = map.readMemory();
+  earlier.semantic = map.read(isHeld ? storage::CloudPart::LeaveOut : storage::CloudPart::Include,
+                              isHeld ? storage::PiecePart::TheMap : storage::PiecePart::All);
+  if (!isHeld) earlier.memory = map.readMemory();
+  earlier.graph.map = earlier.semantic.piece;
+  earlier.graph.freeSubmap = map.readFreeSubmap();
   earlier.graph.p_map_m = map.readPoints();
   for (odometry::Keyframe& keyframe : map.readViews()) {
     const auto placed = earlier.semantic.keyframes.find(keyframe.id);
     if (placed == earlier.semantic.keyframes.end()) continue;
     keyframe.T_map_cam = placed->second.T_map_cam;
-    earlier.graph.lastSubmap = std::max(earlier.graph.lastSubmap, keyframe.submap);
-    keyframe.submap = 0;
     earlier.graph.keyframes.push_back(std::make_shared<const odometry::Keyframe>(std::move(keyframe)));
   }
   for (const auto& loop : map.readLoops()) {

@@ -27,7 +27,8 @@ odometry::Continuation continuationOf(const graph::SavedGraph& earlier) {
       continuation.lastPoint = std::max(continuation.lastPoint, sighting.point);
     }
   }
-  continuation.submap = earlier.lastSubmap + 1;
+  continuation.submap = earlier.freeSubmap;
+  continuation.map = earlier.map;
   return continuation;
 }
 
@@ -89,6 +90,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, Wh
       zones_(zonesOf(options, earlier.semantic)),
       graphBuilding_(makeMapper(options, earlier), threadOf(options), graphCapacity(whenBehind)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
+  if (hasEarlierMap_) pieces_ = odometry::Pieces(earlier.graph.map);
   requireSameNames(labelSpace(), options.segmentation.type != segmentation::SegmentationOptions::Type::None,
                    earlier.semantic);
   addObserver(trajectory_);
@@ -115,21 +117,23 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   }
   graphBuilding_.rethrowFailure();
   const auto updates = mapUpdates_.takeAll();
-  lastStamp_s_ = frame.stamp_s;
   for (const auto& update : updates) {
     const auto application = profiler.measure("odometry.apply");
     frontEnd_.apply(update);
     trajectory_.apply(update);
-    noteRecognition(update);
+    pieces_.apply(update);
   }
+  if (odometry.keyframe) pieces_.add(odometry.keyframe->id, odometry.keyframe->submap);
+  if (odometry.hasPose()) noteRecognition(odometry.piece, frame.stamp_s);
   if (mapFeed_) mapFeed_->update(frame, odometry, updates);
   for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
   return odometry;
 }
 
-void SlamSystem::noteRecognition(const odometry::MapUpdate& update) {
-  const bool isRecognised = hasEarlierMap_ && update.joined && update.joined->into == 0;
-  if (isRecognised && !recognisedAt_s_) recognisedAt_s_ = lastStamp_s_;
+/// In an earlier map, a run knows where it is once its piece is one with the map.
+void SlamSystem::noteRecognition(std::uint32_t piece, double stamp_s) {
+  last_ = {piece, stamp_s};
+  if (hasEarlierMap_ && !recognisedAt_s_ && pieces_.isMap(piece)) recognisedAt_s_ = stamp_s;
 }
 
 /// A keyframe that comes while another is worked in has adjustments over the whole map end early.
@@ -144,11 +148,12 @@ void SlamSystem::finish() {
   failure.attempt([this] { finishGraph(); });
   failure.attempt([this] {
     for (const auto& update : mapUpdates_.takeAll()) {
-      noteRecognition(update);
       trajectory_.apply(update);
+      pieces_.apply(update);
       if (mapFeed_) mapFeed_->apply(update);
     }
   });
+  if (last_) noteRecognition(last_->piece, last_->stamp_s);
   failure.attempt([this] {
     if (mapBuilding_ && !mapBuilder_) mapBuilder_ = mapBuilding_->finish();
   });
@@ -178,9 +183,26 @@ mapping::SemanticMap SlamSystem::semanticMap() const {
 }
 
 core::Trajectory SlamSystem::trajectory() const {
+  const auto map = mapper_->pieces().map();
+  return map ? trajectoryIn(*map) : core::Trajectory{};
+}
+
+core::Trajectory SlamSystem::trajectoryIn(std::uint32_t piece) const {
   std::map<odometry::KeyframeId, Eigen::Isometry3d> T_map_keyframe;
-  for (const auto& [id, node] : mapper_->graph().keyframes()) T_map_keyframe.emplace(id, node.T_map_cam);
+  for (const auto& [id, node] : mapper_->graph().keyframes()) {
+    if (node.submap == piece) T_map_keyframe.emplace(id, node.T_map_cam);
+  }
   return trajectory_.corrected(T_map_keyframe);
+}
+
+std::map<std::uint32_t, core::Trajectory> SlamSystem::unjoinedTrajectories() const {
+  std::map<std::uint32_t, core::Trajectory> trajectories;
+  for (const auto& [piece, keyframes] : mapper_->pieces().sizes()) {
+    if (mapper_->pieces().isMap(piece)) continue;
+    auto trajectory = trajectoryIn(piece);
+    if (!trajectory.empty()) trajectories.emplace(piece, std::move(trajectory));
+  }
+  return trajectories;
 }
 
 std::string SlamSystem::configuration() const { return writeSlamOptions(options_, frontEnd_.filters()); }

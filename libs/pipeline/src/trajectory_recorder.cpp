@@ -23,7 +23,9 @@ core::Trajectory TrajectoryRecorder::corrected(
     const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const {
   core::Trajectory trajectory;
   for (const auto& [keyframe, frames] : framesOf_) {
-    const Eigen::Isometry3d& T_map = T_map_keyframe.at(keyframe);
+    const auto placed = T_map_keyframe.find(keyframe);
+    if (placed == T_map_keyframe.end()) continue;  // of another piece
+    const Eigen::Isometry3d& T_map = placed->second;
     for (const RelativePose& pose : frames) trajectory.push_back({pose.stamp_s, T_map * pose.T_keyframe_cam});
   }
   std::sort(trajectory.begin(), trajectory.end(), [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });

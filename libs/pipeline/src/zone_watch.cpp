@@ -7,7 +7,7 @@ namespace wardslam::pipeline {
 ZoneWatch::ZoneWatch(mapping::Zones zones, OnEnter onEnter) : zones_(std::move(zones)), onEnter_(std::move(onEnter)) {}
 
 void ZoneWatch::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
-  if (!odometry.hasPose()) {
+  if (!odometry.hasPose() || !odometry.isInMap) {
     last_.reset();
     return;
   }

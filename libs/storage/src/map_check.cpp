@@ -67,7 +67,7 @@ void checkContents(SQLite::Database& database, Problems& problems) {
   attempt([&] { (void)readLoops(database); });
   attempt([&] { (void)readMemory(database); });
   attempt([&] {
-    const auto map = readMap(database, CloudPart::Include);
+    const auto map = readMap(database, CloudPart::Include, PiecePart::All);
     std::size_t unowned = 0;
     for (const auto& [keyframe, tile] : map.cloud) {
       for (const auto& point : tile.points) {

@@ -240,11 +240,13 @@ MapFileInfo MapFile::info() const {
 
 MapHeader MapFile::header() const { return connection_->reading(readHeader); }
 
-mapping::SemanticMap MapFile::read(CloudPart cloud) const {
-  return connection_->reading([cloud](SQLite::Database& database) { return readMap(database, cloud); });
+mapping::SemanticMap MapFile::read(CloudPart cloud, PiecePart pieces) const {
+  return connection_->reading([=](SQLite::Database& database) { return readMap(database, cloud, pieces); });
 }
 
 mapping::MapMemory MapFile::readMemory() const { return connection_->reading(storage::readMemory); }
+
+std::uint32_t MapFile::readFreeSubmap() const { return connection_->reading(storage::readFreeSubmap); }
 
 std::vector<odometry::Keyframe> MapFile::readViews() const { return connection_->reading(storage::readViews); }
 

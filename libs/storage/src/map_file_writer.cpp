@@ -57,7 +57,9 @@ MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader&
 }
 
 MapFileWriter::MapFileWriter(MapFile file) : file_(std::move(file)), goesOn_(true) {
-  for (const auto& [id, keyframe] : file_->read(CloudPart::LeaveOut).keyframes) written_.insert(id);
+  const auto earlier = file_->read(CloudPart::LeaveOut, PiecePart::All);
+  for (const auto& [id, keyframe] : earlier.keyframes) written_.insert(id);
+  pending_.mapPiece = earlier.piece;  // goals and zones are in its frame
 }
 
 void MapFileWriter::add(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
@@ -80,6 +82,7 @@ MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
   merge(unwritten_, builder.takeChanges());
   const mapping::SemanticMap map = builder.map(unwritten_);
   MapChanges changes = changesOf(map, unwritten_);
+  changes.mapPiece = pending_.mapPiece;
   changedTiles_.insert(unwritten_.tiles.begin(), unwritten_.tiles.end());
   if (hasBegun_) {
     changes.zones.reset();  // they do not change

@@ -3,6 +3,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <functional>
+#include <iterator>
 
 #include "blob_codecs.h"
 #include "map_rows.h"
@@ -34,14 +35,34 @@ std::size_t count(SQLite::Database& database, const char* sql) {
   return static_cast<std::size_t>(database.execAndGet(sql).getInt64());
 }
 
+std::uint32_t mapPieceOf(SQLite::Database& database) {
+  return static_cast<std::uint32_t>(database.execAndGet("SELECT piece FROM map_piece").getInt64());
+}
+
 void readKeyframes(SQLite::Database& database, mapping::SemanticMap& map) {
-  forEachRow(database, "keyframe", "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, zone FROM keyframes ORDER BY id",
-             [&map](ColumnReader row) {
-               odometry::KeyframeId id = 0;
-               mapping::MappedKeyframe keyframe;
-               row >> id >> within(keyframe.stamp_s, 0.0, kLatest_s) >> keyframe.T_map_cam >> keyframe.zone;
-               map.keyframes.emplace(id, keyframe);
-             });
+  forEachRow(
+      database, "keyframe", "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, zone, piece FROM keyframes ORDER BY id",
+      [&map](ColumnReader row) {
+        odometry::KeyframeId id = 0;
+        mapping::MappedKeyframe keyframe;
+        row >> id >> within(keyframe.stamp_s, 0.0, kLatest_s) >> keyframe.T_map_cam >> keyframe.zone >> keyframe.piece;
+        map.keyframes.emplace(id, keyframe);
+      });
+}
+
+/// Only after everything is read: what is missing counts as damage.
+void keepOnlyTheMap(mapping::SemanticMap& map) {
+  for (auto it = map.keyframes.begin(); it != map.keyframes.end();) {
+    if (it->second.piece == map.piece) {
+      ++it;
+      continue;
+    }
+    map.cloud.erase(it->first);
+    it = map.keyframes.erase(it);
+  }
+  for (auto it = map.objects.begin(); it != map.objects.end();) {
+    it = it->second.piece == map.piece ? std::next(it) : map.objects.erase(it);
+  }
 }
 
 void readFreeFans(SQLite::Database& database, mapping::SemanticMap& map) {
@@ -72,7 +93,7 @@ mapping::MapObject objectOf(ColumnReader row) {
   row >> object.id >> object.classId >> within(object.probability, 0.0, 1.0) >> object.centroid_m >>
       object.box_m.min() >> object.box_m.max() >> object.orientedBox.T_map_box >> object.orientedBox.size_m >> red >>
       green >> blue >> within(object.firstSeen_s, 0.0, kLatest_s) >> within(object.lastSeen_s, 0.0, kLatest_s) >>
-      object.views >> object.zone >> state;
+      object.views >> object.zone >> state >> object.piece;
   if ((object.box_m.min().array() > object.box_m.max().array()).any()) throw core::BlobError("its box is inside out");
   if ((object.orientedBox.size_m.array() < 0).any()) throw core::BlobError("its box has a negative size");
   object.state = objectState(state);
@@ -83,7 +104,7 @@ void readObjects(SQLite::Database& database, mapping::SemanticMap& map) {
   forEachRow(database, "object",
              "SELECT id, class_id, probability, centroid_x_m, centroid_y_m, centroid_z_m, min_x_m, min_y_m, min_z_m, "
              "max_x_m, max_y_m, max_z_m, box_x_m, box_y_m, box_z_m, box_qx, box_qy, box_qz, box_qw, box_length_m, "
-             "box_width_m, box_height_m, red, green, blue, first_seen_s, last_seen_s, views, zone, state "
+             "box_width_m, box_height_m, red, green, blue, first_seen_s, last_seen_s, views, zone, state, piece "
              "FROM objects ORDER BY id",
              [&map](ColumnReader row) {
                const auto object = objectOf(row);
@@ -168,13 +189,13 @@ std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQL
   const auto cameras = readCameras(database);
   std::map<odometry::KeyframeId, odometry::Keyframe> views;
   forEachRow(database, "features of keyframe",
-             "SELECT id, stretch, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, camera, features "
+             "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, piece, camera, features "
              "FROM keyframes JOIN views ON keyframe = id",
              [&](ColumnReader row) {
                odometry::Keyframe view;
                std::uint32_t camera = 0;
                core::Bytes blob;
-               row >> view.id >> view.submap >> within(view.stamp_s, 0.0, kLatest_s) >> view.T_map_cam >> camera >>
+               row >> view.id >> within(view.stamp_s, 0.0, kLatest_s) >> view.T_map_cam >> view.submap >> camera >>
                    blob;
                if (cameras.count(camera) == 0) throw core::BlobError("its camera is missing");
                view.camera = cameras.at(camera);
@@ -222,7 +243,7 @@ void readObjectMemories(SQLite::Database& database, mapping::MapMemory& memory) 
   forEachRow(
       database, "memory of object",
       "SELECT object, views, expected, missed, first_seen_s, last_seen_s, last_x_m, last_y_m, last_z_m, handled_s, "
-      "views_to_rest, erased, gone_s, place_was_empty, state FROM object_memories ORDER BY object",
+      "views_to_rest, erased, gone_s, place_was_empty, state, piece FROM object_memories ORDER BY object",
       [&memory](ColumnReader row) {
         mapping::ObjectId id = 0;
         mapping::ObjectMemory object;
@@ -231,7 +252,8 @@ void readObjectMemories(SQLite::Database& database, mapping::MapMemory& memory) 
         std::uint8_t wasEmpty = 0;
         std::string state;
         row >> id >> object.views >> object.expected >> object.missed >> object.firstSeen_s >> object.lastSeen_s >>
-            place_m >> object.handled_s >> object.viewsToRest >> erased >> object.gone_s >> wasEmpty >> state;
+            place_m >> object.handled_s >> object.viewsToRest >> erased >> object.gone_s >> wasEmpty >> state >>
+            object.piece;
         object.lastPlace_m = place_m.cast<float>();
         object.erased = static_cast<std::size_t>(erased);
         object.placeWasEmpty = wasEmpty != 0;
@@ -262,11 +284,15 @@ void readObjectMemories(SQLite::Database& database, mapping::MapMemory& memory) 
 MapFileInfo readInfo(SQLite::Database& database) {
   MapFileInfo info;
   info.schemaVersion = database.execAndGet("PRAGMA user_version");
-  info.keyframes = count(database, "SELECT count(*) FROM keyframes");
+  info.keyframes = count(database, "SELECT count(*) FROM keyframes WHERE piece = (SELECT piece FROM map_piece)");
+  info.pieces = count(database, "SELECT count(DISTINCT piece) FROM keyframes");
+  info.keyframesElsewhere = count(database, "SELECT count(*) FROM keyframes") - info.keyframes;
   info.trackingPoints = count(database, "SELECT count(*) FROM points");
   info.loops = count(database, "SELECT count(*) FROM edges WHERE kind = 'loop'");
-  info.cloudPoints = count(database, "SELECT coalesce(sum(point_count), 0) FROM cloud_tiles");
-  info.objects = count(database, "SELECT count(*) FROM objects");
+  info.cloudPoints = count(database,
+                           "SELECT coalesce(sum(point_count), 0) FROM cloud_tiles JOIN keyframes ON keyframe = id "
+                           "WHERE piece = (SELECT piece FROM map_piece)");
+  info.objects = count(database, "SELECT count(*) FROM objects WHERE piece = (SELECT piece FROM map_piece)");
   info.zones = count(database, "SELECT count(*) FROM zones");
   info.firstStamp_s = database.execAndGet("SELECT coalesce(min(stamp_s), 0) FROM keyframes");
   info.lastStamp_s = database.execAndGet("SELECT coalesce(max(stamp_s), 0) FROM keyframes");
@@ -289,8 +315,9 @@ MapHeader readHeader(SQLite::Database& database) {
   return header;
 }
 
-mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud) {
+mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud, PiecePart pieces) {
   mapping::SemanticMap map;
+  map.piece = mapPieceOf(database);
   map.labels = readHeader(database).labels;
   readKeyframes(database, map);
   readFreeFans(database, map);
@@ -300,6 +327,7 @@ mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud) {
   map.nextObjectId = nextObjectId(database);
   readZones(database, map);
   readFloorPlan(database, map);
+  if (pieces == PiecePart::TheMap) keepOnlyTheMap(map);
   return map;
 }
 
@@ -342,6 +370,14 @@ std::map<odometry::PointId, Eigen::Vector3d> readPoints(SQLite::Database& databa
     points.emplace(id, p_map_m);
   });
   return points;
+}
+
+std::uint32_t readFreeSubmap(SQLite::Database& database) {
+  return static_cast<std::uint32_t>(
+      database
+          .execAndGet("SELECT 1 + coalesce(max(n), 0) FROM "
+                      "(SELECT max(stretch) AS n FROM views UNION ALL SELECT max(piece) FROM keyframes)")
+          .getInt64());
 }
 
 std::vector<LoopEdge> readLoops(SQLite::Database& database) { return readEdges(database, "loop"); }

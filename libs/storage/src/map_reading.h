@@ -9,10 +9,11 @@ namespace wardslam::storage {
 
 [[nodiscard]] MapFileInfo readInfo(SQLite::Database& database);
 [[nodiscard]] MapHeader readHeader(SQLite::Database& database);
-[[nodiscard]] mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud);
+[[nodiscard]] mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud, PiecePart pieces);
 [[nodiscard]] mapping::MapMemory readMemory(SQLite::Database& database);
 [[nodiscard]] std::vector<odometry::Keyframe> readViews(SQLite::Database& database);
 [[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints(SQLite::Database& database);
 [[nodiscard]] std::vector<LoopEdge> readLoops(SQLite::Database& database);
+[[nodiscard]] std::uint32_t readFreeSubmap(SQLite::Database& database);
 
 }  // namespace wardslam::storage

@@ -63,7 +63,7 @@ CREATE TABLE floor_plan (
   origin_x_m REAL NOT NULL, origin_y_m REAL NOT NULL, cells BLOB NOT NULL);
 )sql";
 
-/// What a run that goes on must know besides what the map shows.
+/// What a run that goes on must know besides what the map shows; and pieces. What was stored before was one piece.
 constexpr const char* kVersion2 = R"sql(
 ALTER TABLE edges ADD COLUMN inliers INTEGER NOT NULL DEFAULT 30;
 CREATE TABLE depth_noises (
@@ -77,13 +77,19 @@ CREATE TABLE object_memories (
   first_seen_s REAL NOT NULL, last_seen_s REAL NOT NULL,
   last_x_m REAL NOT NULL, last_y_m REAL NOT NULL, last_z_m REAL NOT NULL,
   handled_s REAL NOT NULL, views_to_rest INTEGER NOT NULL, erased INTEGER NOT NULL, gone_s REAL NOT NULL,
-  place_was_empty INTEGER NOT NULL, state TEXT NOT NULL CHECK (state IN ('static', 'moved', 'gone')));
+  place_was_empty INTEGER NOT NULL, state TEXT NOT NULL CHECK (state IN ('static', 'moved', 'gone')),
+  piece INTEGER NOT NULL);
 CREATE TABLE object_votes (
   object INTEGER NOT NULL, class_id INTEGER NOT NULL, confidence REAL NOT NULL,
   PRIMARY KEY (object, class_id)) WITHOUT ROWID;
 CREATE TABLE object_pairs (
   object INTEGER NOT NULL, other INTEGER NOT NULL, together INTEGER NOT NULL, apart INTEGER NOT NULL,
   PRIMARY KEY (object, other)) WITHOUT ROWID;
+ALTER TABLE keyframes ADD COLUMN piece INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE objects ADD COLUMN piece INTEGER NOT NULL DEFAULT 0;
+CREATE VIEW map_piece AS SELECT coalesce(
+  (SELECT CAST(value AS INTEGER) FROM properties WHERE name = 'map_piece'),
+  (SELECT piece FROM keyframes GROUP BY piece ORDER BY count(*) DESC, piece LIMIT 1), 0) AS piece;
 )sql";
 
 /// The step at [i] leads from version i to i + 1.

@@ -12,15 +12,15 @@ namespace {
 
 void writeKeyframes(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement upsert(database,
-                           "INSERT INTO keyframes VALUES (?,?, ?,?,?, ?,?,?,?, ?) ON CONFLICT (id) DO UPDATE SET "
+                           "INSERT INTO keyframes VALUES (?,?, ?,?,?, ?,?,?,?, ?, ?) ON CONFLICT (id) DO UPDATE SET "
                            "stamp_s = excluded.stamp_s, x_m = excluded.x_m, y_m = excluded.y_m, z_m = excluded.z_m, "
                            "qx = excluded.qx, qy = excluded.qy, qz = excluded.qz, qw = excluded.qw, "
-                           "zone = excluded.zone");
+                           "zone = excluded.zone, piece = excluded.piece");
   SQLite::Statement fan(database,
                         "INSERT INTO free_fans VALUES (?,?) ON CONFLICT (keyframe) DO UPDATE SET "
                         "points = excluded.points WHERE points <> excluded.points");
   for (const auto& [id, keyframe] : changes.keyframes) {
-    (ParameterBinder(upsert) << id << keyframe.stamp_s << keyframe.T_map_cam << keyframe.zone).run();
+    (ParameterBinder(upsert) << id << keyframe.stamp_s << keyframe.T_map_cam << keyframe.zone << keyframe.piece).run();
     if (!keyframe.freeFan_cam_m.empty()) (ParameterBinder(fan) << id << encodeFan(keyframe.freeFan_cam_m)).run();
   }
 }
@@ -243,7 +243,7 @@ void removeObjects(SQLite::Database& database, const MapChanges& changes) {
 void writeObjects(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement row(database,
                         "INSERT OR REPLACE INTO objects VALUES (?,?,?, ?,?,?, ?,?,?, ?,?,?, ?,?,?, ?,?,?,?, ?,?,?, "
-                        "?,?,?, ?,?,?, ?,?)");
+                        "?,?,?, ?,?,?, ?,?, ?)");
   SQLite::Statement boxRow(database, "INSERT OR REPLACE INTO object_boxes VALUES (?, ?,?, ?,?, ?,?)");
   SQLite::Statement noHint(database, "DELETE FROM object_hints WHERE object = ?");
   SQLite::Statement hintRow(database, "INSERT INTO object_hints VALUES (?,?,?)");
@@ -254,7 +254,8 @@ void writeObjects(SQLite::Database& database, const MapChanges& changes) {
     ParameterBinder values(row);
     values << object.id << int{object.classId} << object.probability << object.centroid_m << min << max;
     values << object.orientedBox.T_map_box << object.orientedBox.size_m << int{red} << int{green} << int{blue};
-    values << object.firstSeen_s << object.lastSeen_s << object.views << object.zone << toString(object.state);
+    values << object.firstSeen_s << object.lastSeen_s << object.views << object.zone << toString(object.state)
+           << object.piece;
     values.run();
     ParameterBinder box(boxRow);
     box << object.id << min.x() << max.x() << min.y() << max.y() << min.z() << max.z();
@@ -270,13 +271,14 @@ void writeMemory(SQLite::Database& database, const mapping::MapMemory& memory) {
   SQLite::Statement tileRow(database, "INSERT OR REPLACE INTO tile_memories VALUES (?,?)");
   for (const auto& [id, tile] : memory.tiles) (ParameterBinder(tileRow) << id << encodeTileMemory(tile)).run();
   database.exec("DELETE FROM object_memories; DELETE FROM object_votes; DELETE FROM object_pairs");
-  SQLite::Statement objectRow(database, "INSERT INTO object_memories VALUES (?,?,?,?, ?,?, ?,?,?, ?,?,?,?, ?,?)");
+  SQLite::Statement objectRow(database, "INSERT INTO object_memories VALUES (?,?,?,?, ?,?, ?,?,?, ?,?,?,?, ?,?, ?)");
   SQLite::Statement voteRow(database, "INSERT INTO object_votes VALUES (?,?,?)");
   for (const auto& [id, object] : memory.objects) {
     ParameterBinder values(objectRow);
     values << id << object.views << object.expected << object.missed << object.firstSeen_s << object.lastSeen_s;
     values << Eigen::Vector3d(object.lastPlace_m.cast<double>()) << object.handled_s << object.viewsToRest;
-    values << std::uint64_t{object.erased} << object.gone_s << int{object.placeWasEmpty} << toString(object.state);
+    values << std::uint64_t{object.erased} << object.gone_s << int{object.placeWasEmpty} << toString(object.state)
+           << object.piece;
     values.run();
     for (const auto& [classId, confidence] : object.votes) {
       (ParameterBinder(voteRow) << id << int{classId} << confidence).run();
@@ -314,6 +316,11 @@ void writeZones(SQLite::Database& database, const std::vector<mapping::Zone>& zo
   }
 }
 
+void writeMapPiece(SQLite::Database& database, std::uint32_t piece) {
+  SQLite::Statement replace(database, "INSERT OR REPLACE INTO properties VALUES ('map_piece', ?)");
+  (ParameterBinder(replace) << piece).run();
+}
+
 void writeFloorPlan(SQLite::Database& database, const mapping::FloorPlan& plan) {
   SQLite::Statement replace(database, "INSERT OR REPLACE INTO floor_plan VALUES (1, ?, ?,?, ?)");
   (ParameterBinder(replace) << plan.resolution_m << plan.origin_m << encodeCells(plan.cells)).run();
@@ -339,6 +346,7 @@ void writeChanges(SQLite::Database& database, const MapChanges& changes) {
   removeObjects(database, changes);
   writeObjects(database, changes);
   if (changes.labels) writeLabels(database, *changes.labels);
+  if (changes.mapPiece) writeMapPiece(database, *changes.mapPiece);
   if (changes.zones) writeZones(database, *changes.zones);
   if (changes.outdatesFloorPlan) database.exec("DELETE FROM floor_plan");
   if (changes.memory) writeMemory(database, *changes.memory);

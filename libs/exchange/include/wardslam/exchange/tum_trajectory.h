@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "wardslam/core/atomic_file.h"
@@ -29,6 +30,7 @@ class TumTrajectoryWriter {
   TumTrajectoryWriter& operator=(const TumTrajectoryWriter&) = delete;
 
   void write(const core::StampedPose& pose);
+  void writeComment(const std::string& line);  ///< Readers skip it.
 
   /// Whether the disk did not take all poses; the next write() and finish() try again.
   [[nodiscard]] bool isBehind() const { return file_.isBehind(); }

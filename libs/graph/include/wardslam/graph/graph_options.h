@@ -47,8 +47,11 @@ struct LoopVerificationOptions {
   double search_radius_px = 8.0;
   int min_inliers = 30;
   double min_found_fraction = 0.12;
-  double max_drift_fraction = 0.05;
   double min_drift_m = 0.3;
+  double min_drift_rad = 0.15;
+  double position_drift = 0.02;
+  double rotation_drift_rad = 0.002;
+  double gate_sigmas = 3.5;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -59,9 +62,36 @@ struct LoopVerificationOptions {
     visit("min_inliers", self.min_inliers, {6, 10000}, "count", "points of the place that must be found");
     visit("min_found_fraction", self.min_found_fraction, {0.0, 1.0}, "",
           "of an old keyframe's points that should be in sight; a thing that looks like another shows less");
-    visit("max_drift_fraction", self.max_drift_fraction, {0.0, 1.0}, "",
-          "of the path since then; a loop that asks for more correction is taken for a look-alike");
     visit("min_drift_m", self.min_drift_m, {0.0, 100.0}, "m", "correction that is always believed");
+    visit("min_drift_rad", self.min_drift_rad, {0.0, 3.2}, "rad", "likewise");
+    visit("position_drift", self.position_drift, {0.0, 10.0}, "m",
+          "one standard deviation after a metre; it grows with the square root of the way");
+    visit("rotation_drift_rad", self.rotation_drift_rad, {0.0, 1.0}, "rad", "likewise, about each axis");
+    visit("gate_sigmas", self.gate_sigmas, {1.0, 100.0}, "",
+          "standard deviations of drift; a loop that asks for more correction is taken for a look-alike");
+  }
+};
+
+struct LoopConfirmationOptions {
+  int keyframes = 3;
+  int keyframes_to_join = 4;
+  int max_gap = 4;
+  double max_disagreement_m = 0.15;
+  double max_disagreement_rad = 0.05;
+  double max_misfit_m = 0.15;
+  double max_misfit_rad = 0.05;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("keyframes", self.keyframes, {1, 1000}, "count", "that must see the same place again, for a loop");
+    visit("keyframes_to_join", self.keyframes_to_join, {1, 1000}, "count",
+          "likewise, for two pieces of the map to become one: nothing else says where they lie");
+    visit("max_gap", self.max_gap, {1, 1000}, "count", "keyframes from one that sees it to the next");
+    visit("max_disagreement_m", self.max_disagreement_m, {0.001, 10.0}, "m", "between what two of them say");
+    visit("max_disagreement_rad", self.max_disagreement_rad, {0.001, 3.2}, "rad", "likewise");
+    visit("max_misfit_m", self.max_misfit_m, {0.001, 10.0}, "m",
+          "of a loop, or of keyframes that see the same, after everything was adjusted; else the loop is taken back");
+    visit("max_misfit_rad", self.max_misfit_rad, {0.001, 3.2}, "rad", "likewise");
   }
 };
 
@@ -111,6 +141,7 @@ struct GraphOptions {
   BundleAdjustmentOptions bundle_adjustment;
   PlaceRecognitionOptions place_recognition;
   LoopVerificationOptions loop_verification;
+  LoopConfirmationOptions loop_confirmation;
   PoseGraphOptions pose_graph;
 
   template <class Self, class Visitor>
@@ -124,6 +155,7 @@ struct GraphOptions {
     visit.group("bundle_adjustment", self.bundle_adjustment);
     visit.group("place_recognition", self.place_recognition);
     visit.group("loop_verification", self.loop_verification);
+    visit.group("loop_confirmation", self.loop_confirmation);
     visit.group("pose_graph", self.pose_graph);
   }
 };

@@ -33,12 +33,14 @@ class LoopVerification {
   /// The keyframe and those that see most of the same: one place.
   [[nodiscard]] std::vector<KeyframeId> placeAround(const KeyframeGraph& graph, KeyframeId keyframe) const;
 
-  /// The loop's older keyframe is the one of the place most of whose points are found.
+  /// The loop's older keyframe is the one of the place most of whose points are found. `closed`: loops that tie
+  /// keyframes together already.
   [[nodiscard]] std::optional<Loop> verify(const KeyframeGraph& graph, KeyframeId newer,
-                                           const std::vector<KeyframeId>& place) const;
+                                           const std::vector<KeyframeId>& place,
+                                           const std::vector<Loop>& closed = {}) const;
 
  private:
-  [[nodiscard]] bool isPlausible(const KeyframeGraph& graph, const Loop& loop) const;
+  [[nodiscard]] bool isPlausible(const KeyframeGraph& graph, const Loop& loop, const std::vector<Loop>& closed) const;
 
   LoopVerificationOptions options_;
   odometry::Matcher matcher_;

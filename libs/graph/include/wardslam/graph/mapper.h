@@ -3,6 +3,9 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -13,8 +16,11 @@
 #include "wardslam/graph/saved_graph.h"
 #include "wardslam/odometry/map_update.h"
 #include "wardslam/odometry/odometry_options.h"
+#include "wardslam/odometry/pieces.h"
 
 namespace wardslam::graph {
+
+class LoopConfirmation;
 
 /// What is done with the keyframes of an earlier run.
 enum class Saved {
@@ -23,16 +29,18 @@ enum class Saved {
 };
 
 /// Keeps the map of keyframes right as it grows: local bundle adjustment after every keyframe; where an old place is
-/// seen again, the loop is closed over a pose graph and everything adjusted; submaps that meet are joined. Keyframes
+/// seen again by several keyframes, the loop is closed over a pose graph and everything adjusted, and taken back if it
+/// does not fit; submaps that meet are joined. Keyframes
 /// that show nothing new are given up again, so that the map grows with the area and not with the time spent in it.
 ///
 /// Plain and single-threaded; a core::Stage runs one behind tracking.
 class Mapper {
  public:
   Mapper(const GraphOptions& options, const odometry::OdometryOptions& odometry);
+  ~Mapper();
 
-  /// Before the first insert(). What comes then must be of other submaps and have higher ids; it joins the saved map
-  /// where a place is recognised.
+  /// Before the first insert(). What comes then must be of other submaps and have higher ids; it joins the saved map,
+  /// or another of its pieces, where a place is recognised.
   void restore(const SavedGraph& saved, Saved use = Saved::MayChange);
 
   /// Takes in a keyframe; keyframes come in order. Returns what tracking should know. Adjustments over the whole map
@@ -44,7 +52,10 @@ class Mapper {
   /// Those that tie keyframes together still: one between an old keyframe and one given up for it is no more needed.
   [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
   [[nodiscard]] std::size_t loopsClosed() const { return loopsClosed_; }
+  /// Closed, and taken back with all they had changed as they did not fit: nobody was told of them.
+  [[nodiscard]] std::size_t loopsTakenBack() const { return loopsTakenBack_; }
   [[nodiscard]] std::size_t submapsJoined() const { return submapsJoined_; }
+  [[nodiscard]] const odometry::Pieces& pieces() const { return pieces_; }
 
   /// Adjusts the whole map once more: after the last keyframe. Returns where everything is now, as of that keyframe.
   odometry::MapUpdate adjustAll();
@@ -55,8 +66,10 @@ class Mapper {
   void remove(KeyframeId id, odometry::MapUpdate& update);
   void rememberPlaces(KeyframeId newest);
   void rememberPlace(KeyframeId id);
-  [[nodiscard]] std::optional<Loop> recognise(KeyframeId newest) const;
-  void close(const Loop& loop, const std::atomic<bool>* stop, odometry::MapUpdate& update);
+  [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest) const;
+  void close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update);
+  [[nodiscard]] bool fits(const std::map<KeyframeId, Eigen::Isometry3d>& stepsBefore) const;
+  [[nodiscard]] odometry::SubmapJoin directionOf(std::uint32_t piece, std::uint32_t other) const;
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
   void optimisePoses(std::uint32_t submap);
   [[nodiscard]] bool isHeld(KeyframeId id) const { return graph_.keyframes().at(id).isHeld; }
@@ -66,13 +79,17 @@ class Mapper {
 
   GraphOptions options_;
   KeyframeGraph graph_;
+  odometry::Pieces pieces_;
+  std::optional<std::uint32_t> keptMap_;            ///< The piece whose frame an earlier run made that of the map.
   std::multimap<KeyframeId, PointId> onProbation_;  ///< Points by the keyframe that made them.
   std::deque<KeyframeId> young_;                    ///< Too young to be recognised.
   std::set<KeyframeId> around_;                     ///< Keyframes around the newest.
   PlaceRecognition places_;
   LoopVerification verification_;
+  std::unique_ptr<LoopConfirmation> confirmation_;
   std::vector<Loop> loops_;
   std::size_t loopsClosed_ = 0;
+  std::size_t loopsTakenBack_ = 0;
   std::size_t submapsJoined_ = 0;
 };
 

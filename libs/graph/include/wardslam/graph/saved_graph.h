@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <vector>
@@ -12,13 +13,15 @@ namespace wardslam::graph {
 
 /// The keyframes of an earlier run, to be recognised and gone on with.
 struct SavedGraph {
-  std::vector<std::shared_ptr<const odometry::Keyframe>> keyframes;  ///< By id, all of submap 0, posed in the map.
-  std::map<PointId, Eigen::Vector3d> p_map_m;                        ///< Of the points they see.
-  std::vector<Loop> loops;                                           ///< That tie them together: ends, pose, inliers.
-  std::uint32_t lastSubmap = 0;                                      ///< No submap of theirs had a higher number.
+  /// By id; `submap` is the piece each belongs to, in whose frame its pose is.
+  std::vector<std::shared_ptr<const odometry::Keyframe>> keyframes;
+  std::map<PointId, Eigen::Vector3d> p_map_m;  ///< Of the points they see.
+  std::vector<Loop> loops;                     ///< That tie them together: ends, pose, inliers.
+  std::uint32_t map = 0;                       ///< The piece that is the map (odometry::Pieces).
+  std::uint32_t freeSubmap = 1;                ///< No submap of that run or an earlier one has this number or a higher.
 };
 
-/// What is worth keeping of a graph: the submap of its first keyframe.
+/// All of a graph, as it is worth keeping.
 [[nodiscard]] SavedGraph save(const KeyframeGraph& graph);
 
 }  // namespace wardslam::graph

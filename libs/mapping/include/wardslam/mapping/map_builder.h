@@ -34,8 +34,8 @@ struct MapSetting {
 };
 
 /// Builds the semantic map (P8–P10) from views and from what the keyframe graph finds out. Everything it holds hangs on
-/// keyframes and follows their corrections. What was seen from submaps that are not joined to the first is kept, but is
-/// not part of the map.
+/// keyframes and follows their corrections. What was seen from submaps that are not joined is a piece of its own; the
+/// largest piece is the map (odometry::Pieces).
 ///
 /// Plain and single-threaded; the same input gives the same map.
 class MapBuilder {
@@ -45,9 +45,10 @@ class MapBuilder {
   MapBuilder(MapBuilder&&) noexcept;
   MapBuilder& operator=(MapBuilder&&) noexcept;
 
-  /// Goes on with the map of an earlier run, which is submap 0 from now on. Before anything else. What is read is told
-  /// again as it is, to the last digit, until somebody sees it or its keyframes move. Where the memory lacks something,
-  /// it is made up from what the map shows. Zones of an earlier run give way to those of this one.
+  /// Goes on with the map of an earlier run, all its pieces: the piece that is the map stays it. Before anything else.
+  /// What is read is told again as it is, to the last digit, until somebody sees it or its keyframes move. Where the
+  /// memory lacks something, it is made up from what the map shows. Zones of an earlier run give way to those of this
+  /// one.
   void restore(const SemanticMap& earlier, const MapMemory& memory = {});
 
   /// Before the views that hang on it.
@@ -60,16 +61,16 @@ class MapBuilder {
   /// Works an image in. One whose keyframe nobody added is left out.
   void add(const View& view);
 
-  /// The map as it is now.
+  /// The map as it is now, without pieces that are not joined to it.
   [[nodiscard]] SemanticMap map();
 
-  /// Parts that are new, different or removed since the last call.
+  /// Parts, of any piece, that are new, different or removed since the last call.
   [[nodiscard]] MapParts takeChanges();
 
-  /// All that is known of the objects of the map, and of these tiles, to be restored from.
+  /// All that is known of objects, and of these tiles, to be restored from.
   [[nodiscard]] MapMemory memory(const std::set<odometry::KeyframeId>& tiles) const;
 
-  /// The map with no more keyframes, tiles and objects than these; what is missing in it was removed.
+  /// No more than these keyframes, tiles and objects, of whatever piece; what is missing was removed.
   [[nodiscard]] SemanticMap map(const MapParts& parts);
 
  private:

@@ -48,6 +48,7 @@ struct ObjectMemory {
   double gone_s = 0.0;                                    ///< When it was last found to be gone.
   bool placeWasEmpty = false;                             ///< Where it was seen first, images had seen through before.
   ObjectState state = ObjectState::Static;
+  std::uint32_t piece = 0;  ///< It is known in (odometry::Pieces).
 };
 
 /// Whether two records are one thing, by what images showed.

@@ -45,6 +45,7 @@ struct MapObject {
   std::string zone;  ///< Innermost zone its centroid lies in; empty = none.
   ObjectState state = ObjectState::Static;
   std::optional<MaybeSame> maybeSameAs;  ///< A hint; it never makes two records one.
+  std::uint32_t piece = 0;               ///< In whose frame it is (odometry::Pieces).
 };
 
 }  // namespace wardslam::mapping

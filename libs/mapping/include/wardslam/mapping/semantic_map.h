@@ -18,7 +18,8 @@ namespace wardslam::mapping {
 struct MappedKeyframe {
   double stamp_s = 0.0;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
-  std::string zone;  ///< Innermost zone the camera was over; empty = none.
+  std::string zone;         ///< Innermost zone the camera was over; empty = none.
+  std::uint32_t piece = 0;  ///< In whose frame the pose is (odometry::Pieces).
   /// End points of what it saw free in a robot's way, from left to right, in its camera frame; see freeFan().
   std::vector<Eigen::Vector3f> freeFan_cam_m;
 };
@@ -27,6 +28,7 @@ struct MappedKeyframe {
 /// The map frame has z up and, where the floor was seen at the start, z = 0 on the floor.
 struct SemanticMap {
   core::LabelSpace labels = core::LabelSpace::coco();
+  std::uint32_t piece = 0;                            ///< That is the map; what is of another has a frame of its own.
   std::map<std::uint64_t, MappedKeyframe> keyframes;  ///< By keyframe id.
   std::map<std::uint64_t, SemanticCloudTile> cloud;   ///< By the keyframe id a tile hangs on.
   std::map<ObjectId, MapObject> objects;

@@ -25,10 +25,12 @@ struct RemovedKeyframe {
 };
 
 /// Better knowledge of what tracking rests on, as of one keyframe. Of what was known then, what is not named stays as
-/// it is; what is younger moves as that keyframe does (correctionOf).
+/// it is. Keyframes that are younger are placed by their poses from one to the next and move as that keyframe does
+/// (correctionOf).
 struct MapUpdate {
   KeyframeId newestKeyframe = 0;  ///< The newest that was known; named in T_map_cam. 0: nothing younger moves.
   std::uint32_t submap = 0;       ///< Of that keyframe, by the number it had when it was made.
+  bool movesTheMap = false;       ///< A loop was closed or submaps were joined, and not only a few keyframes adjusted.
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
   std::map<PointId, Eigen::Vector3d> p_map_m;
   std::vector<RemovedKeyframe> removedKeyframes;  ///< In order: an heir may be removed itself later on.

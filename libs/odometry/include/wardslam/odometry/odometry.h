@@ -11,6 +11,7 @@
 #include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/map_update.h"
 #include "wardslam/odometry/odometry_options.h"
+#include "wardslam/odometry/pieces.h"
 
 namespace wardslam::odometry {
 
@@ -27,6 +28,11 @@ struct OdometryResult {
   int matches = 0;                           ///< Map points found in the image.
   int inliers = 0;                           ///< Of these, the ones the pose rests on.
   std::shared_ptr<const Keyframe> keyframe;  ///< Set when new points were added to the local map.
+  /// Which piece of the map the pose is in, as far as known by now. Poses of two pieces have nothing in common.
+  std::uint32_t piece = 0;
+  /// Whether that piece is the map (Pieces). If not, tracking was lost and begun anew where it took itself to be: the
+  /// pose is right only relative to others of the same piece, until a place of the map is recognised.
+  bool isInMap = true;
 
   [[nodiscard]] bool hasPose() const { return state == State::Ok; }
   [[nodiscard]] std::optional<Eigen::Isometry3d> pose() const {
@@ -38,7 +44,8 @@ struct OdometryResult {
 struct Continuation {
   KeyframeId lastKeyframe = 0;
   PointId lastPoint = 0;
-  std::uint32_t submap = 0;  ///< The first that is free.
+  std::uint32_t submap = 0;          ///< The first that is free.
+  std::optional<std::uint32_t> map;  ///< The piece that is the map, and stays it.
 };
 
 /// RGB-D visual odometry on ORB key points against a local map of points. It sees key points that are static and
@@ -61,9 +68,9 @@ class Odometry {
   /// Finds the camera's pose from the static features of the next image.
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures);
 
-  /// Takes over better positions of points and keyframes. What the mapper did not know yet, the camera above all, moves
-  /// as the newest keyframe does that it knew; an update of a submap that tracking has left changes nothing. Returns
-  /// how the camera was moved within the map frame.
+  /// Takes over better positions of points and keyframes. After a loop, what the mapper did not know yet, the camera
+  /// above all, moves as the newest keyframe does that it knew; an update of a submap that tracking has left changes
+  /// nothing. Returns how the camera was moved within the map frame.
   Eigen::Isometry3d apply(const MapUpdate& update);
 
  private:

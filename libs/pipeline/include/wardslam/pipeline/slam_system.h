@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,8 +56,12 @@ class SlamSystem {
   /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
   void requireSoundSetup() { frontEnd_.requireSoundSetup(); }
 
-  /// Every tracked frame, by the map as it is in the end. After finish().
+  /// Every frame tracked in the map, by the map as it is in the end. After finish().
   [[nodiscard]] core::Trajectory trajectory() const;
+
+  /// The frames of this run that were tracked elsewhere, by piece (odometry::Pieces), each in a frame of its own:
+  /// tracking was lost and begun anew, and no place was recognised since. After finish().
+  [[nodiscard]] std::map<std::uint32_t, core::Trajectory> unjoinedTrajectories() const;
 
   /// Keyframes, points and loops. After finish().
   [[nodiscard]] const graph::Mapper& mapper() const { return *mapper_; }
@@ -92,16 +98,23 @@ class SlamSystem {
   [[nodiscard]] const core::Profiler& profiler() const { return frontEnd_.profiler(); }
 
  private:
+  struct LastPose {
+    std::uint32_t piece = 0;
+    double stamp_s = 0.0;
+  };
+
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
-  void noteRecognition(const odometry::MapUpdate& update);
+  void noteRecognition(std::uint32_t piece, double stamp_s);
+  [[nodiscard]] core::Trajectory trajectoryIn(std::uint32_t piece) const;
   void finishGraph();
 
   SlamOptions options_;
   FrontEnd frontEnd_;
   mapping::Zones zones_;
   bool hasEarlierMap_ = false;
-  double lastStamp_s_ = 0.0;
   std::optional<double> recognisedAt_s_;
+  odometry::Pieces pieces_;
+  std::optional<LastPose> last_;
   TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;
 

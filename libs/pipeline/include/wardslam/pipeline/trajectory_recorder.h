@@ -18,7 +18,7 @@ class TrajectoryRecorder : public FrameObserver {
   /// Frames of keyframes that were removed hang on the heirs from now on.
   void apply(const odometry::MapUpdate& update);
 
-  /// One pose per tracked frame, by where the keyframes are now.
+  /// One pose per frame tracked by one of these keyframes, by where they are now.
   [[nodiscard]] core::Trajectory corrected(
       const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const;
 

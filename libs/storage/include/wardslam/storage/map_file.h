@@ -50,6 +50,7 @@ struct MapChanges {
   std::optional<core::LabelSpace> labels;    ///< Names of classes, besides those there are.
   std::optional<mapping::MapMemory> memory;  ///< All of the objects; of the tiles, those that changed.
   mapping::ObjectId nextObjectId = 0;        ///< 0: as it was.
+  std::optional<std::uint32_t> mapPiece;     ///< This piece is the map from now on, however large others are.
 };
 
 /// The whole of a semantic map, to be written into an empty file.
@@ -65,8 +66,10 @@ struct MapHeader {
 struct MapFileInfo {
   int schemaVersion = 0;
   std::uintmax_t size_bytes = 0;
-  std::size_t keyframes = 0;
-  std::size_t trackingPoints = 0;  ///< Of key points, to recognise places by.
+  std::size_t keyframes = 0;           ///< Of the map, as cloud points and objects are.
+  std::size_t pieces = 0;              ///< The map and what is not joined to it.
+  std::size_t keyframesElsewhere = 0;  ///< Of the pieces that are not joined to the map.
+  std::size_t trackingPoints = 0;      ///< Of key points, to recognise places by.
   std::size_t loops = 0;
   std::size_t cloudPoints = 0;
   std::size_t objects = 0;  ///< Those that are gone included.
@@ -83,6 +86,7 @@ class MapInUse : public core::InputError {
 
 enum class MapAccess { Read, Write };
 enum class CloudPart { Include, LeaveOut };
+enum class PiecePart { TheMap, All };  ///< Those not joined to the map have frames of their own.
 
 /// A map on disk, `*.wardmap`: one SQLite database (docs/file_formats.md). Every write() is one transaction: whatever
 /// happens to the process or the power, the file holds all of it or nothing. What read() gives is in the map frame.
@@ -121,14 +125,16 @@ class MapFile {
 
   [[nodiscard]] MapFileInfo info() const;
   [[nodiscard]] MapHeader header() const;
-  [[nodiscard]] mapping::SemanticMap read(CloudPart cloud = CloudPart::Include) const;
+  [[nodiscard]] mapping::SemanticMap read(CloudPart cloud = CloudPart::Include,
+                                          PiecePart pieces = PiecePart::TheMap) const;
 
   /// What is known besides, for MapBuilder::restore().
   [[nodiscard]] mapping::MapMemory readMemory() const;
 
-  /// What the keyframes saw, in order of their ids; `submap` is the stretch of tracking they were made in, which no
-  /// other run shares. Sightings name points of readPoints().
+  /// What the keyframes of all pieces saw, in order of their ids; `submap` is the piece, sightings name points of
+  /// readPoints().
   [[nodiscard]] std::vector<odometry::Keyframe> readViews() const;
+  [[nodiscard]] std::uint32_t readFreeSubmap() const;  ///< No submap has had this number or a higher.
   [[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints() const;  ///< p_map_m
   [[nodiscard]] std::vector<LoopEdge> readLoops() const;
 

@@ -16,8 +16,8 @@
 
 namespace wardslam::storage {
 
-/// Keeps a map file abreast of a run: what changed goes into it, in one transaction, keyframe by keyframe. What was
-/// seen from submaps that are not joined to the first waits until they are. For one thread at a time.
+/// Keeps a map file abreast of a run: what changed goes into it, in one transaction, keyframe by keyframe, each
+/// with the piece it belongs to. For one thread at a time.
 ///
 /// A write that fails (the disk is full, another program holds the file) is tried again with the next keyframe, as the
 /// run is worth more than its map; it is counted, and told when it begins.

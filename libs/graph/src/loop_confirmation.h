@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "wardslam/graph/graph_options.h"
+#include "wardslam/graph/keyframe_graph.h"
+#include "wardslam/graph/loop_verification.h"
+#include "wardslam/odometry/map_update.h"
+
+namespace wardslam::graph {
+
+/// The loop as it is when what hung on the removed keyframe hangs on its heir.
+void rehang(Loop& loop, const odometry::RemovedKeyframe& removed);
+
+/// Places that seem to be seen again, until several keyframes say the same and none of another place does: rooms that
+/// look the same are the rule in a hospital.
+class LoopConfirmation {
+ public:
+  explicit LoopConfirmation(const LoopConfirmationOptions& options) : options_(options) {}
+
+  /// Old keyframes nearest to where this one stands if what was seen before it is right.
+  [[nodiscard]] std::vector<KeyframeId> expected(const KeyframeGraph& graph, KeyframeId newest) const;
+
+  /// Takes in what the newest keyframe was seen to be. Returns the loops that say the same, the newest first, once
+  /// they are enough, more where they join pieces; they are forgotten here.
+  std::vector<Loop> confirm(const KeyframeGraph& graph, KeyframeId newest, const std::vector<Loop>& seen);
+
+  void apply(const odometry::RemovedKeyframe& removed);
+
+ private:
+  /// Loops that agree with each other, in order of their newer keyframes.
+  using Hypothesis = std::vector<Loop>;
+
+  [[nodiscard]] bool agree(const KeyframeGraph& graph, const Loop& a, const Loop& b) const;
+  [[nodiscard]] bool isConfirmed(const KeyframeGraph& graph, const Hypothesis& hypothesis) const;
+
+  LoopConfirmationOptions options_;
+  std::vector<Hypothesis> hypotheses_;
+};
+
+}  // namespace wardslam::graph

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "wardslam/core/errors.h"
+#include "wardslam/exchange/tum_trajectory.h"
+#include "wardslam/pipeline/slam_system.h"
+#include "wardslam/sources/observation_source.h"
+
+/// measure_loops RECORDING GROUNDTRUTH [CONFIG]: runs over a recording and compares the loops that were closed, and the
+/// places that were come back to, with the true trajectory.
+namespace wardslam {
+namespace {
+
+constexpr double kFalse_m = 0.5;      // a loop is false if it says the camera stood so far from where it did
+constexpr double kRevisit_m = 1.0;    // a place is come back to: as near as this ...
+constexpr double kRevisit_rad = 0.5;  // ... and looking the same way ...
+constexpr double kAwayFor_s = 30.0;   // ... after so long
+constexpr double kOneVisit_s = 10.0;  // keyframes so near in time are of one visit
+constexpr double kRight_m = 0.3;      // a visit is tied to the earlier one: the map has them within this of the truth
+constexpr double kSameImage_s = 0.02;
+
+using Keyframes = std::map<odometry::KeyframeId, graph::KeyframeNode>;
+
+class Truth {
+ public:
+  explicit Truth(const std::string& file) : trajectory_(exchange::readTumTrajectory(file)) {}
+
+  [[nodiscard]] const Eigen::Isometry3d* at(double stamp_s) const {
+    const auto isBefore = [](const core::StampedPose& pose, double t) { return pose.stamp_s < t; };
+    const auto next = std::lower_bound(trajectory_.begin(), trajectory_.end(), stamp_s - kSameImage_s, isBefore);
+    const bool isThere = next != trajectory_.end() && next->stamp_s < stamp_s + kSameImage_s;
+    return isThere ? &next->T_map_cam : nullptr;
+  }
+
+ private:
+  core::Trajectory trajectory_;
+};
+
+struct Counts {
+  std::size_t loops = 0;
+  std::size_t falseLoops = 0;
+  std::size_t visits = 0;      ///< Times an earlier place was come back to.
+  std::size_t visitsTied = 0;  ///< Of these, the ones that the map has where they are.
+  double worstLoop_m = 0.0;
+};
+
+Counts compare(const graph::Mapper& mapper, const Truth& truth) {
+  Counts counts;
+  const Keyframes& keyframes = mapper.graph().keyframes();
+  const auto trueStep = [&](odometry::KeyframeId a, odometry::KeyframeId b) -> std::optional<Eigen::Isometry3d> {
+    const auto* from = truth.at(keyframes.at(a).keyframe->stamp_s);
+    const auto* to = truth.at(keyframes.at(b).keyframe->stamp_s);
+    if (from == nullptr || to == nullptr) return std::nullopt;
+    return from->inverse() * *to;
+  };
+  for (const graph::Loop& loop : mapper.loops()) {
+    const auto step = trueStep(loop.older, loop.newer);
+    if (!step) continue;
+    ++counts.loops;
+    const double off_m = (step->inverse() * loop.T_older_newer).translation().norm();
+    counts.worstLoop_m = std::max(counts.worstLoop_m, off_m);
+    if (off_m > kFalse_m) {
+      ++counts.falseLoops;
+      std::printf("false: %lu (%.1f s) is said to be at %lu (%.1f s), %.2f m off\n",
+                  static_cast<unsigned long>(loop.newer), keyframes.at(loop.newer).keyframe->stamp_s,
+                  static_cast<unsigned long>(loop.older), keyframes.at(loop.older).keyframe->stamp_s, off_m);
+    }
+  }
+  double lastRevisit_s = -1e9;
+  bool isTied = false;
+  const auto endVisit = [&] {
+    if (lastRevisit_s > 0 && isTied) ++counts.visitsTied;
+  };
+  for (const auto& [id, node] : keyframes) {
+    bool isRevisit = false;
+    bool isRight = false;
+    for (const auto& [older, olderNode] : keyframes) {
+      if (older >= id || olderNode.keyframe->stamp_s + kAwayFor_s > node.keyframe->stamp_s) break;
+      const auto step = trueStep(older, id);
+      if (!step || step->translation().norm() > kRevisit_m) continue;
+      if (Eigen::AngleAxisd(step->linear()).angle() > kRevisit_rad) continue;
+      isRevisit = true;
+      const Eigen::Isometry3d inMap = olderNode.T_map_cam.inverse() * node.T_map_cam;
+      isRight =
+          isRight || (olderNode.submap == node.submap && (step->inverse() * inMap).translation().norm() < kRight_m);
+    }
+    if (!isRevisit) continue;
+    if (node.keyframe->stamp_s - lastRevisit_s > kOneVisit_s) {
+      endVisit();
+      ++counts.visits;
+      isTied = false;
+    }
+    isTied = isTied || isRight;
+    lastRevisit_s = node.keyframe->stamp_s;
+  }
+  endVisit();
+  return counts;
+}
+
+void run(const std::string& recording, const std::string& truthFile, const std::string& config) {
+  pipeline::SlamOptions options = config.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(config);
+  options.deterministic = true;
+  options.mapping.enabled = false;
+  options.annotate = false;
+  options.filters = pipeline::SlamOptions::noFilters();
+  pipeline::SlamSystem slam(options);
+  const auto source = sources::openSource(recording, {});
+  std::size_t frames = 0;
+  std::size_t tracked = 0;
+  while (const auto observation = source->next()) {
+    ++frames;
+    tracked += slam.process(observation).hasPose() ? 1U : 0U;
+  }
+  slam.finish();
+  const Counts counts = compare(slam.mapper(), Truth(truthFile));
+  std::printf(
+      "%s: %zu of %zu frames tracked, %zu keyframes, %zu pieces, %zu joined, %zu loops closed, %zu taken back; "
+      "%zu of %zu loop edges false (worst %.2f m), %zu of %zu visits tied\n",
+      recording.c_str(), tracked, frames, slam.mapper().graph().keyframes().size(),
+      slam.mapper().pieces().sizes().size(), slam.mapper().submapsJoined(), slam.mapper().loopsClosed(),
+      slam.mapper().loopsTakenBack(), counts.falseLoops, counts.loops, counts.worstLoop_m, counts.visitsTied,
+      counts.visits);
+  exchange::TumTrajectoryWriter writer(recording + ".estimate.txt");
+  for (const auto& pose : slam.trajectory()) writer.write(pose);
+  writer.finish();
+}
+
+}  // namespace
+}  // namespace wardslam
+
+int main(int count, char** arguments) {
+  if (count < 3) {
+    std::fprintf(stderr, "measure_loops RECORDING GROUNDTRUTH [CONFIG]\n");
+    return 2;
+  }
+  try {
+    wardslam::run(arguments[1], arguments[2], count > 3 ? arguments[3] : "");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "measure_loops: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

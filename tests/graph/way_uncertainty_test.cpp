@@ -1,0 +1,78 @@
+#include "way_uncertainty.h"
+
+#include <gtest/gtest.h>
+
+#include "graph/hand_made_keyframe.h"
+#include "graph/synthetic_walk.h"
+
+namespace wardslam::graph {
+namespace {
+
+using test::makePose;
+
+class WayUncertaintyTest : public ::testing::Test {
+ protected:
+  /// Keyframes 1 to `count`, a metre apart along x; nothing is seen twice.
+  void goStraight(KeyframeId count, std::uint32_t submap = 1) {
+    for (KeyframeId id = 1; id <= count; ++id) {
+      auto keyframe = std::make_shared<odometry::Keyframe>();
+      keyframe->id = id;
+      keyframe->submap = submap;
+      if (id > 1) keyframe->T_previous_cam = makePose({1, 0, 0});
+      graph_.insert(keyframe);
+    }
+  }
+
+  LoopVerificationOptions options_;
+  KeyframeGraph graph_;
+};
+
+TEST_F(WayUncertaintyTest, GrowsWithTheWayAndMoreAcrossIt) {
+  options_.position_drift = 0.02;
+  options_.rotation_drift_rad = 0.01;
+  goStraight(3);
+  const auto found = uncertaintyOfWay(graph_, {}, 1, 3, options_);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->rotation_rad2, 2 * 1e-4, 1e-12);
+  EXPECT_NEAR(found->position_m2(0, 0), 2 * 4e-4, 1e-12);
+  EXPECT_NEAR(found->position_m2(1, 1), 2 * 4e-4 + 1e-4 * (1 * 1 + 2 * 2), 1e-12) << "turned 1 m and 2 m from the end";
+  EXPECT_NEAR(found->position_m2(2, 2), found->position_m2(1, 1), 1e-12);
+  EXPECT_NEAR(found->position_m2(0, 1), 0.0, 1e-12);
+}
+
+TEST_F(WayUncertaintyTest, GoesByALoopWhereThatIsShorter) {
+  goStraight(40);
+  graph_.setPose(40, makePose({0, 1, 0}));
+  const Loop loop{1, 40, makePose({0, 1, 0}), 100, {}, {1}};
+  const auto found = uncertaintyOfWay(graph_, {loop}, 1, 40, options_);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->rotation_rad2, options_.rotation_drift_rad * options_.rotation_drift_rad, 1e-12) << "one metre";
+}
+
+TEST_F(WayUncertaintyTest, BetweenPiecesNothingIsKnown) {
+  goStraight(2);
+  auto anew = std::make_shared<odometry::Keyframe>();
+  anew->id = 3;
+  anew->submap = 2;
+  graph_.insert(anew);
+  EXPECT_FALSE(uncertaintyOfWay(graph_, {}, 1, 3, options_));
+}
+
+TEST(WayUncertainty, ExplainsWhatLiesWithinTheGate) {
+  LoopVerificationOptions options;
+  options.gate_sigmas = 3.0;
+  options.min_drift_m = 0.0;
+  options.min_drift_rad = 0.0;
+  WayUncertainty uncertainty;
+  uncertainty.position_m2 = Eigen::Vector3d(0.01, 0.04, 0.01).asDiagonal();
+  uncertainty.rotation_rad2 = 1e-4;
+  EXPECT_TRUE(uncertainty.explains({0.29, 0, 0}, 0.029, options));
+  EXPECT_FALSE(uncertainty.explains({0.31, 0, 0}, 0.0, options));
+  EXPECT_TRUE(uncertainty.explains({0, 0.59, 0}, 0.0, options));
+  EXPECT_FALSE(uncertainty.explains({0, 0, 0}, 0.031, options));
+  options.min_drift_m = 0.4;
+  EXPECT_TRUE(uncertainty.explains({0.31, 0, 0}, 0.0, options)) << "that little is always believed";
+}
+
+}  // namespace
+}  // namespace wardslam::graph
