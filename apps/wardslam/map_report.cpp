@@ -68,16 +68,20 @@ Json toJson(const storage::MapFileInfo& info, const mapping::FloorPlan& plan) {
 }
 
 Json toJson(const mapping::MapObject& object, const core::LabelSpace& labels) {
-  return {{"id", object.id},
-          {"class_id", object.classId},
-          {"class_name", labels.name(object.classId)},
-          {"centroid", toJson(object.centroid_m)},
-          {"box_min", toJson(object.box_m.min())},
-          {"box_max", toJson(object.box_m.max())},
-          {"probability", object.probability},
-          {"views", object.views},
-          {"zone", object.zone},
-          {"state", toString(object.state)}};
+  Json json{{"id", object.id},
+            {"class_id", object.classId},
+            {"class_name", labels.name(object.classId)},
+            {"centroid", toJson(object.centroid_m)},
+            {"box_min", toJson(object.box_m.min())},
+            {"box_max", toJson(object.box_m.max())},
+            {"probability", object.probability},
+            {"views", object.views},
+            {"zone", object.zone},
+            {"state", toString(object.state)}};
+  if (object.maybeSameAs) {
+    json["maybe_same_as"] = {{"id", object.maybeSameAs->id}, {"probability", object.maybeSameAs->probability}};
+  }
+  return json;
 }
 
 Json toJson(const Objects& objects, const core::LabelSpace& labels) {

@@ -11,6 +11,7 @@
 #include "recording_camera.h"
 #include "sequence_writer.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/core/mrpt_opengl_compat.h"
 
 namespace wardslam::synth {
 namespace {
@@ -56,6 +57,7 @@ std::size_t frameCount(double seconds, double rate_hz) {
 /// Several threads share the pictures; a few are not worth the time it takes to set one up.
 std::size_t threadsFor(std::size_t frames) {
   constexpr std::size_t kWorthwhile = 16;
+  if (!core::kDrawsTexturesInSeveralContexts) return 1;
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   return std::clamp<std::size_t>(frames / kWorthwhile, 1, cores);
 }

@@ -247,6 +247,16 @@ TEST_F(ObservedRule, WhatMightMoveWeighsLess) {
   EXPECT_EQ(frame.features.keypoints.front().staticProbability, 1.0F) << "the wall";
 }
 
+TEST_F(ObservedRule, DoesNotMakeSurerWhatAnEarlierFilterDoubts) {
+  watch(25, 0.0);
+  core::Frame frame = scene_.frame(time_s_);
+  frame.segmentation = {};
+  frame.features.keypoints = {keypointAt(1, 1)};
+  frame.features.keypoints.front().staticProbability = 0.25F;
+  filter_.apply(frame);
+  EXPECT_EQ(frame.features.keypoints.front().staticProbability, 0.25F) << "the wall";
+}
+
 TEST_F(ObservedRule, AChairThatIsPushedGoesAsAWhole) {
   EXPECT_THAT(motions(watch(18, 0.4)), testing::ElementsAre(Motion::Dynamic, Motion::Dynamic, Motion::Dynamic));
 }

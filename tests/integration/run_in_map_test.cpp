@@ -2,8 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <csignal>
+#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
+#include <thread>
 
 #include "integration/cli_test_support.h"
 #include "integration/room_recording.h"
@@ -53,6 +57,48 @@ TEST_F(RunInMap, GrowsTheMap) {
   EXPECT_GT(file.info().keyframes, before.keyframes);
   EXPECT_THAT(file.check(), IsEmpty());
   EXPECT_FALSE(fs::exists(path("second/map.wardmap"))) << "the map is where it was";
+}
+
+/// Without masks nothing is in the zones but keyframes.
+TEST_F(RunInMap, WritesTheZonesItIsGiven) {
+  std::ofstream(path("zones.yaml"))
+      << "zones:\n- {name: everywhere, polygon: [[-99, -99], [99, -99], [99, 99], [-99, 99]]}\n";
+  const auto result = run({"--map", map(), "--zones", path("zones.yaml")}, "second");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const auto file = storage::MapFile::open(map());
+  EXPECT_THAT(file.check(), IsEmpty());
+  ASSERT_EQ(file.read().zones.size(), 1U);
+  for (const auto& [id, keyframe] : file.read().keyframes) EXPECT_EQ(keyframe.zone, "everywhere") << id;
+}
+
+TEST_F(RunInMap, LeavesAMapItDoesNotRecogniseToTheByte) {
+  const std::string before = readText(map());
+  const RoomRecording elsewhere(8, 0, 1000.0, 99);
+  const auto result = runProgram("wardslam", {"run", elsewhere.path().string(), "--filter", "off", "--deterministic",
+                                              "--out", path("second"), "--map", map()});
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.err, HasSubstr("the map is as it was"));
+  EXPECT_EQ(readText(map()), before);
+  EXPECT_FALSE(fs::exists(map() + ".grown"));
+}
+
+TEST_F(RunInMap, KilledLeavesTheMapAsItWasAndASoundOneBesideIt) {
+  const std::string before = readText(map());
+  const RoomRecording longer(12, 600);
+  RunningProgram program("wardslam", {"run", longer.path().string(), "--filter", "off", "--deterministic", "--out",
+                                      path("second"), "--map", map()});
+  const fs::path grown = map() + ".grown";
+  const auto hasBegun = [&] {
+    return fs::exists(grown) && fs::exists(path("second/trajectory_live.txt.partial")) &&
+           fs::file_size(path("second/trajectory_live.txt.partial")) > 2000;
+  };
+  for (int i = 0; i < 6000 && !hasBegun(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  program.send(SIGKILL);
+  (void)program.wait();
+  EXPECT_EQ(readText(map()), before);
+  ASSERT_TRUE(fs::exists(grown));
+  EXPECT_THAT(storage::MapFile::open(grown).check(), IsEmpty());
+  EXPECT_TRUE(storage::MapFile::open(grown).read().floorPlan.cells.empty()) << "the old one is not that of this map";
 }
 
 TEST_F(RunInMap, LocalisesInItsFrameWithoutChangingIt) {

@@ -89,9 +89,10 @@ TEST_F(ObjectDatabaseTest, MissesAThingThatShouldBeSeenMoreOftenThanItWas) {
 
 TEST_F(ObjectDatabaseTest, LosesAThingWhoseTwoThirdsWereSeenThrough) {
   const ObjectId id = see(evidence(kChair));
-  EXPECT_THAT(database_.erase({{id, 60}}, {{id, 40}}), IsEmpty());
-  EXPECT_THAT(database_.erase({{id, 10}}, {{id, 30}}), ElementsAre(id)) << "70 of 100 are gone";
+  EXPECT_THAT(database_.erase({{id, 60}}, {{id, 40}}, 7.0), IsEmpty());
+  EXPECT_THAT(database_.erase({{id, 10}}, {{id, 30}}, 8.0), ElementsAre(id)) << "70 of 100 are gone";
   EXPECT_EQ(record(id).state, ObjectState::Gone);
+  EXPECT_EQ(record(id).gone_s, 8.0);
 }
 
 TEST_F(ObjectDatabaseTest, FindsThatTwoAreOneWhenOneMaskCoversBothTwice) {
@@ -109,7 +110,7 @@ TEST_F(ObjectDatabaseTest, FindsThatTwoAreOneWhenOneMaskCoversBothTwice) {
 TEST_F(ObjectDatabaseTest, KeepsTheFirstIdOfAThingThatMoved) {
   const ObjectId lost = see(evidence(kChair));
   const ObjectId found = see(evidence(kChair));
-  database_.reunite({lost}, found);
+  database_.reunite(lost, found);
   EXPECT_EQ(database_.objects().count(found), 0U);
   EXPECT_EQ(record(lost).state, ObjectState::Moved);
   EXPECT_EQ(record(lost).views, 2);

@@ -20,6 +20,7 @@ MapObject object(ObjectId id, core::ClassId classId, double x_m, double height_m
   object.id = id;
   object.classId = classId;
   object.box_m = Eigen::AlignedBox3d(Eigen::Vector3d(x_m, 0, 0), Eigen::Vector3d(x_m + 1, 1, height_m));
+  object.centroid_m = object.box_m.center();
   object.views = 20;
   object.probability = 0.9;
   object.firstSeen_s = firstSeen_s;
@@ -35,9 +36,6 @@ class SameThingsTest : public testing::Test {
     database_.restore(object.id, ObjectRecord::from(object));
   }
   [[nodiscard]] auto same() const { return sameBoxes(table_, database_, kNoMargin_m); }
-  [[nodiscard]] auto earlier(const MapObject& found) const {
-    return earlierPlacesOf(found, table_, database_, SemanticCloud(CloudOptions()));
-  }
 
   ObjectTable table_{ObjectOptions()};
   ObjectDatabase database_{ObjectOptions()};
@@ -79,41 +77,92 @@ TEST_F(SameThingsTest, AreNotThoseThatImagesToldApart) {
   EXPECT_THAT(same(), IsEmpty());
 }
 
-TEST_F(SameThingsTest, FindTheEarlierPlaceOfAThingThatIsGoneFromThere) {
-  MapObject gone = object(1, kChair, 0.0);
-  gone.state = ObjectState::Gone;
-  add(gone);
-  const MapObject found = object(2, kChair, 5.0, 1.0, gone.lastSeen_s + 2.0);
-  add(found);
-  EXPECT_THAT(earlier(found), ElementsAre(1));
+/// A chair that is known to be gone since 20 s, and one found since.
+class ReappearanceTest : public SameThingsTest {
+ protected:
+  ReappearanceTest() { movable_.set(kChair); }
+
+  void lose(MapObject lost) {
+    lost.state = ObjectState::Gone;
+    table_.restore(lost);
+    ObjectRecord record = ObjectRecord::from(lost);
+    record.gone_s = 20.0;
+    database_.restore(lost.id, record);
+  }
+  void find(const MapObject& found, bool placeWasEmpty = true) {
+    table_.restore(found);
+    ObjectRecord record = ObjectRecord::from(found);
+    record.placeWasEmpty = placeWasEmpty;
+    database_.restore(found.id, record);
+  }
+  [[nodiscard]] std::vector<Reappearance> pairs() const {
+    return reappearances(table_, database_, movable_, ObjectOptions());
+  }
+
+  knowledge::ClassSet movable_;
+};
+
+TEST_F(ReappearanceTest, IsWitnessedWhereTheLossWasKnownAndThePlaceSeenEmptyBefore) {
+  lose(object(1, kChair, 0.0));
+  find(object(2, kChair, 3.0, 1.0, 30.0));
+  ASSERT_EQ(pairs().size(), 1U);
+  EXPECT_EQ(pairs()[0].lost, 1U);
+  EXPECT_EQ(pairs()[0].found, 2U);
+  EXPECT_TRUE(pairs()[0].isWitnessed);
+  EXPECT_NEAR(pairs()[0].probability, 0.5 / 0.505, 1e-9) << "at 3 m: half the weight of none, beside 0.005";
 }
 
-TEST_F(SameThingsTest, DoNotTakeAThingThatIsStillThereForAnEarlierPlace) {
+TEST_F(ReappearanceTest, IsAHintWhereThePlaceWasNotSeenBeforeOrTheLossNotKnown) {
+  lose(object(1, kChair, 0.0));
+  find(object(2, kChair, 3.0, 1.0, 30.0), false);
+  ASSERT_EQ(pairs().size(), 1U);
+  EXPECT_FALSE(pairs()[0].isWitnessed);
+  EXPECT_NEAR(pairs()[0].probability, 0.3 * 0.15 / 0.155, 1e-9);
+  find(object(2, kChair, 3.0, 1.0, 19.0));
+  ASSERT_EQ(pairs().size(), 1U);
+  EXPECT_FALSE(pairs()[0].isWitnessed) << "it stood there before the other was missed";
+}
+
+TEST_F(ReappearanceTest, IsNoneOfWhatIsStillThere) {
   add(object(1, kChair, 0.0));
-  const MapObject found = object(2, kChair, 5.0, 1.0, 6.0);
-  add(found);
-  EXPECT_THAT(earlier(found), IsEmpty());
+  find(object(2, kChair, 3.0, 1.0, 30.0));
+  EXPECT_THAT(pairs(), IsEmpty());
 }
 
-TEST_F(SameThingsTest, DoNotTakeThingsSeenAtTheSameTimeForOne) {
-  MapObject gone = object(1, kChair, 0.0);
-  gone.state = ObjectState::Gone;
-  add(gone);
-  const MapObject found = object(2, kChair, 5.0, 1.0, gone.lastSeen_s);
-  add(found);
-  EXPECT_THAT(earlier(found), IsEmpty());
+TEST_F(ReappearanceTest, IsNoneOfThingsSeenAtTheSameTime) {
+  lose(object(1, kChair, 0.0));
+  find(object(2, kChair, 3.0, 1.0, 4.0));
+  EXPECT_THAT(pairs(), IsEmpty());
 }
 
-TEST_F(SameThingsTest, AskForTheClassAndTheSizeOfWhatWasLost) {
-  MapObject otherClass = object(1, kBed, 0.0);
-  otherClass.state = ObjectState::Gone;
-  add(otherClass);
-  MapObject otherSize = object(2, kChair, 2.0, 2.5);  // 2.5 times as long
-  otherSize.state = ObjectState::Gone;
-  add(otherSize);
-  const MapObject found = object(3, kChair, 5.0, 1.0, 6.0);
-  add(found);
-  EXPECT_THAT(earlier(found), IsEmpty());
+TEST_F(ReappearanceTest, AsksForTheClassTheSizeAndWhoCanMoveIt) {
+  lose(object(1, kBed, 0.0));         // another class
+  lose(object(2, kChair, 1.0, 2.5));  // 2.5 times as long
+  find(object(3, kChair, 3.0, 1.0, 30.0));
+  find(object(4, kBed, 3.0, 1.0, 30.0));  // nobody can move it
+  EXPECT_THAT(pairs(), IsEmpty());
+}
+
+TEST_F(ReappearanceTest, AsksForTimeToComeThere) {
+  lose(object(1, kChair, 0.0));              // seen until 4 s
+  find(object(2, kChair, 40.0, 1.0, 29.0));  // 25 s at 1.5 m/s, and 1 m for a middle seen from another side: 38.5 m
+  EXPECT_THAT(pairs(), IsEmpty());
+  find(object(2, kChair, 38.0, 1.0, 29.0));
+  EXPECT_EQ(pairs().size(), 1U);
+}
+
+TEST_F(ReappearanceTest, NoRecordIsInTwoThatAreProbable) {
+  lose(object(1, kChair, 0.0));
+  lose(object(2, kChair, 1.0));
+  find(object(3, kChair, 2.0, 1.0, 30.0));
+  find(object(4, kChair, 3.0, 1.0, 30.0));
+  std::map<ObjectId, double> sums;
+  for (const auto& pair : pairs()) {
+    sums[pair.lost] += pair.probability;
+    sums[pair.found] += pair.probability;
+  }
+  EXPECT_EQ(sums.size(), 4U);
+  for (const auto& [id, sum] : sums) EXPECT_LE(sum, 1.0) << id;
 }
 
 }  // namespace

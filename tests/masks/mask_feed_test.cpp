@@ -62,6 +62,7 @@ class MaskFeedTest : public testing::Test {
     options.mode = mode;
     options.latency_frames = latency_frames;
     options.tracker.bridge_s = bridge_s_;
+    options.keepsIds = keepsIds_;
     feed_ = makeMaskFeed(options, std::make_shared<masks::AsyncSegmenter>(
                                       std::make_unique<Oracle>([this, answer = std::move(answer)](int frame) {
                                         asked_.push_back(frame);
@@ -84,6 +85,7 @@ class MaskFeedTest : public testing::Test {
   }
 
   double bridge_s_ = 0.5;
+  bool keepsIds_ = true;
   std::vector<int> asked_;  ///< By the segmenter's thread; read when that has nothing to do.
   std::unique_ptr<MaskFeed> feed_;
 };
@@ -109,8 +111,24 @@ TEST_F(MaskFeedTest, WaitingBridgesWhatIsMissed) {
   for (int i = 0; i < 10; ++i) EXPECT_GT(iouOfPerson(show(walkAt(i), i)), 0.9) << i;
 }
 
+TEST_F(MaskFeedTest, WaitingWithoutABridgeKeepsIdsWhereTheyCount) {
+  bridge_s_ = 0.0;
+  start(Mode::Wait, 0, [](int i) {
+    auto result = truth(i);
+    const auto id = static_cast<std::uint16_t>(20 + i);  // a network numbers the instances of each image anew
+    result.segmentation.instanceIds.setTo(id, result.segmentation.instanceIds != 0);
+    for (core::Instance& instance : result.segmentation.instances) instance.id = id;
+    if (i == 3) result.segmentation = wall(4.0).masks;
+    return result;
+  });
+  const auto id = show(walkAt(0), 0).segmentation.instances.at(0).id;
+  for (int i = 1; i < 3; ++i) EXPECT_EQ(show(walkAt(i), i).segmentation.instances.at(0).id, id) << i;
+  EXPECT_EQ(iouOfPerson(show(walkAt(3), 3)), 0.0) << "nothing is bridged";
+}
+
 TEST_F(MaskFeedTest, WaitingWithoutABridgeHandsOnWhatTheSegmenterGives) {
   bridge_s_ = 0.0;
+  keepsIds_ = false;
   start(Mode::Wait, 0, [](int i) { return i == 3 ? segmentation::Segmenter::Result{wall(4.0).masks, {}} : truth(i); });
   for (int i = 0; i < 3; ++i) EXPECT_EQ(show(walkAt(i), i).segmentation.instances.at(0).id, 5);
   EXPECT_EQ(iouOfPerson(show(walkAt(3), 3)), 0.0);

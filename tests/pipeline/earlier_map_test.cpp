@@ -37,9 +37,31 @@ TEST_F(EarlierMapTest, HasKeyframesWhereTheMapHasThemAndTheirPoints) {
   ASSERT_EQ(earlier.graph.keyframes.size(), 1U);
   EXPECT_EQ(earlier.graph.keyframes[0]->id, 7U);
   EXPECT_EQ(earlier.graph.keyframes[0]->submap, 0U);
+  EXPECT_EQ(earlier.graph.lastSubmap, 2U) << "the next run has numbers of its own";
   EXPECT_TRUE(earlier.graph.keyframes[0]->T_map_cam.translation().isApprox(Eigen::Vector3d(1, 2, 3)));
   EXPECT_EQ(earlier.graph.p_map_m.at(31), Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(earlier.semantic.keyframes.count(7), 1U);
+}
+
+TEST_F(EarlierMapTest, HasLoopsAndWhatIsRemembered) {
+  storage::MapChanges changes;
+  for (const odometry::KeyframeId id : {1, 2}) {
+    auto keyframe = std::make_shared<odometry::Keyframe>();
+    keyframe->id = id;
+    keyframe->features.descriptors = cv::Mat(0, 32, CV_8UC1);
+    changes.keyframes[id];
+    changes.views.push_back(keyframe);
+  }
+  changes.loops = {{1, 2, Eigen::Isometry3d(Eigen::Translation3d(1, 2, 3)), 44}};
+  changes.memory.emplace().objects[7].views = 3;
+  storage::MapFile::create(file_).write(changes);
+  const EarlierMap earlier = readEarlierMap(file_);
+  ASSERT_EQ(earlier.graph.loops.size(), 1U);
+  EXPECT_EQ(earlier.graph.loops[0].older, 1U);
+  EXPECT_EQ(earlier.graph.loops[0].newer, 2U);
+  EXPECT_EQ(earlier.graph.loops[0].inliers, 44);
+  EXPECT_EQ(earlier.graph.loops[0].T_older_newer.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(earlier.memory.objects.at(7).views, 3);
 }
 
 TEST_F(EarlierMapTest, WithoutKeyframesIsOfNoUse) {

@@ -1,5 +1,6 @@
 #include "semantic_dynamic_filter.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "moved_options.h"
@@ -71,6 +72,7 @@ void SemanticDynamicFilter::initialize(const core::ConfigNode& parameters, const
     parameters.child("mode").fail(
         "in a deterministic run masks cannot come just when they are ready; give latency_frames (3, say) or mode wait");
   }
+  options_.masks.keepsIds = options_.rule == SemanticDynamicOptions::Rule::Observed;  // evidence is gathered by id
   masks_ = masks::makeMaskFeed(options_.masks, context.segmenter);
   rules_.emplace(*context.knowledge, context.segmenter->labelSpace());
   test_.emplace(*rules_, options_.test);
@@ -135,7 +137,7 @@ void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat&
   for (core::Keypoint& keypoint : frame.features.keypoints) {
     const cv::Point pixel = core::nearestPixel(keypoint.raw_px, dynamic.size());
     if (dynamic.at<std::uint8_t>(pixel) != 0) keypoint.motion = core::Motion::Dynamic;
-    keypoint.staticProbability = staticProbability.at<float>(pixel);
+    keypoint.staticProbability = std::min(keypoint.staticProbability, staticProbability.at<float>(pixel));
   }
 }
 

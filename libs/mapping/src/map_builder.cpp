@@ -1,13 +1,14 @@
 #include "wardslam/mapping/map_builder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
 
-#include "detections.h"
 #include "object_database.h"
 #include "object_table.h"
+#include "recognition.h"
 #include "same_things.h"
 #include "semantic_cloud.h"
 #include "things_in_hands.h"
@@ -22,6 +23,9 @@ constexpr float kUnclassifiedWeight = 0.25F;
 
 /// Points are taken for seen through only when everything so near (px) to them is farther away.
 constexpr int kSeenThroughMargin_px = 2;
+
+/// One record of two, when it is more probable than all else together.
+constexpr double kSurelyOne = 0.5;
 
 cv::Mat nearestAround(const cv::Mat& depth_m) {
   const int side = 2 * kSeenThroughMargin_px + 1;
@@ -51,27 +55,28 @@ class MapBuilder::Impl {
   Impl(const MappingOptions& options, MapSetting setting)
       : options_(options), setting_(std::move(setting)), table_(options.objects) {}
 
-  void restore(const SemanticMap& earlier);
+  void restore(const SemanticMap& earlier, const MapMemory& memory);
   void addKeyframe(const odometry::Keyframe& keyframe);
   void apply(const odometry::MapUpdate& update);
   void add(const View& view);
   SemanticMap map();
   SemanticMap map(const MapParts& parts);
+  [[nodiscard]] MapMemory memory(const std::set<KeyframeId>& tiles) const;
   MapParts takeChanges();
 
  private:
   Part& part(std::uint32_t submap) { return parts_.try_emplace(submap, options_).first->second; }
   void join(std::uint32_t from, std::uint32_t into);
   void remove(const odometry::RemovedKeyframe& removed);
+  [[nodiscard]] Eigen::Isometry3d placeOf(const odometry::Keyframe& keyframe, std::uint32_t submap) const;
+  [[nodiscard]] std::map<KeyframeId, Eigen::Isometry3d> withYounger(const odometry::MapUpdate& update) const;
   void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
   const cv::Mat& raysOf(const core::CameraModel& camera);
-  std::vector<ObjectId> recogniseObjects(Part& part, const View& view,
-                                         const std::vector<std::optional<PointRef>>& points,
-                                         const std::vector<Detection>& detections,
-                                         const std::map<ObjectId, std::size_t>& inSight);
+  std::vector<ObjectId> recogniseObjects(Part& part, const View& view, const Recognition& seen);
   void takeMerges(Part& part);
   void removeGone(Part& part, const std::vector<ObjectId>& gone);
   void refresh();
+  void restoreObjects(const SemanticMap& earlier, const MapMemory& memory);
   void mergeSameBoxes();
   void reuniteMoved();
   void describeTouched();
@@ -91,36 +96,76 @@ class MapBuilder::Impl {
   cv::Mat rays_;
 };
 
-void MapBuilder::Impl::restore(const SemanticMap& earlier) {
+void MapBuilder::Impl::restore(const SemanticMap& earlier, const MapMemory& memory) {
   constexpr std::uint32_t kSubmap = 0;
   first_ = kSubmap;
   Part& main = part(kSubmap);
   for (const auto& [id, keyframe] : earlier.keyframes) {
     keyframes_[id] = {kSubmap, keyframe.stamp_s, keyframe.T_map_cam, keyframe.freeFan_cam_m};
-    const auto tile = earlier.cloud.find(id);
-    main.cloud.restore(id, keyframe.T_map_cam, tile == earlier.cloud.end() ? SemanticCloudTile{} : tile->second);
+    if (setting_.zones.at(keyframe.T_map_cam.translation().head<2>()) != keyframe.zone) changes_.keyframes.insert(id);
+    const auto known = memory.tiles.find(id);
+    const auto shown = earlier.cloud.find(id);
+    if (known != memory.tiles.end()) {
+      main.cloud.restore(id, keyframe.T_map_cam, known->second);
+    } else {
+      main.cloud.restore(id, keyframe.T_map_cam, shown == earlier.cloud.end() ? SemanticCloudTile{} : shown->second);
+    }
   }
+  restoreObjects(earlier, memory);
+  static_cast<void>(main.cloud.takeChanges());  // the earlier run has written them
+  static_cast<void>(main.cloud.takeChangedObjects());
+}
+
+void MapBuilder::Impl::restoreObjects(const SemanticMap& earlier, const MapMemory& memory) {
+  ObjectDatabase& objects = part(*first_).objects;
+  nextId_ = earlier.nextObjectId;
   for (const auto& [id, object] : earlier.objects) {
-    main.objects.restore(id, ObjectRecord::from(object));
+    objects.restore(id, ObjectRecord::from(object, options_.objects.min_evidence));
     table_.restore(object);
+    if (setting_.zones.at(object.centroid_m.head<2>()) != object.zone) changes_.objects.insert(id);
     nextId_ = std::max(nextId_, id + 1);
   }
-  static_cast<void>(main.cloud.takeChanges());  // the earlier run has written them
+  for (const auto& [id, object] : memory.objects) {
+    objects.restore(id, ObjectRecord(object));
+    nextId_ = std::max(nextId_, id + 1);
+  }
+  objects.restore(memory.pairs);
 }
 
 void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
   const auto joined = joinedInto_.find(keyframe.submap);
   const std::uint32_t submap = joined == joinedInto_.end() ? keyframe.submap : joined->second;
   if (!first_) first_ = submap;
-  keyframes_[keyframe.id] = {submap, keyframe.stamp_s, keyframe.T_map_cam, {}};
-  part(submap).cloud.addTile(keyframe.id, keyframe.T_map_cam);
+  const Eigen::Isometry3d T_map_cam = placeOf(keyframe, submap);
+  keyframes_[keyframe.id] = {submap, keyframe.stamp_s, T_map_cam, {}};
+  part(submap).cloud.addTile(keyframe.id, T_map_cam);
   changes_.keyframes.insert(keyframe.id);
 }
 
+/// As the keyframe graph places it: by the one before, where the map has that in the same frame.
+Eigen::Isometry3d MapBuilder::Impl::placeOf(const odometry::Keyframe& keyframe, std::uint32_t submap) const {
+  const auto previous = keyframes_.find(keyframe.id - 1);
+  const bool follows = previous != keyframes_.end() && previous->second.submap == submap;
+  return follows ? previous->second.T_map_cam * keyframe.T_previous_cam : keyframe.T_map_cam;
+}
+
 void MapBuilder::Impl::apply(const odometry::MapUpdate& update) {
-  follow(update.T_map_cam);
+  follow(withYounger(update));
   for (const auto& removed : update.removedKeyframes) remove(removed);
   if (update.joined) join(update.joined->from, update.joined->into);
+}
+
+/// The poses it names, and those of keyframes that it does not know yet.
+std::map<KeyframeId, Eigen::Isometry3d> MapBuilder::Impl::withYounger(const odometry::MapUpdate& update) const {
+  auto T_map_cam = update.T_map_cam;
+  const auto newest = keyframes_.find(update.newestKeyframe);
+  if (newest == keyframes_.end()) return T_map_cam;
+  const Eigen::Isometry3d correction = odometry::correctionOf(update, newest->second.T_map_cam);
+  for (auto younger = std::next(newest); younger != keyframes_.end(); ++younger) {
+    const auto& [id, keyframe] = *younger;
+    if (keyframe.submap == newest->second.submap) T_map_cam.try_emplace(id, correction * keyframe.T_map_cam);
+  }
+  return T_map_cam;
 }
 
 void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
@@ -185,7 +230,7 @@ void MapBuilder::Impl::add(const View& view) {
   const auto cell_m = static_cast<float>(options_.cloud.voxel_m);
 
   const auto look = part.cloud.look(view.camera, T_map_cam, view.depth_m, nearestAround(view.depth_m));
-  removeGone(part, part.objects.erase(look.erased, part.cloud.pointCounts()));
+  removeGone(part, part.objects.erase(look.erased, part.cloud.pointCounts(), view.stamp_s));
   const cv::Mat usable = usablePixels(view, setting_.moving, options_.cloud);
   const auto samples = sampleView(view, T_map_cam, raysOf(view.camera), usable, cell_m, options_.cloud.pixel_step);
   const auto points = part.cloud.recognise(samples, T_map_cam.translation());
@@ -194,7 +239,7 @@ void MapBuilder::Impl::add(const View& view) {
     const Eigen::Vector3f place_m = (T_map_cam * thing.p_cam_m).cast<float>();
     part.objects.noteHandled(thing.classId, place_m, view.stamp_s);
   }
-  const auto objects = recogniseObjects(part, view, points, detections, look.inSight);
+  const auto objects = recogniseObjects(part, view, {samples, points, detections, look.inSight});
 
   std::vector<SemanticCloud::LabelVote> votes(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -210,28 +255,11 @@ void MapBuilder::Impl::add(const View& view) {
   touched_.insert(objects.begin(), objects.end());
 }
 
-std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View& view,
-                                                         const std::vector<std::optional<PointRef>>& points,
-                                                         const std::vector<Detection>& detections,
-                                                         const std::map<ObjectId, std::size_t>& inSight) {
-  const auto objectAt = [&](std::size_t i) { return points[i] ? part.cloud.at(*points[i]).object : 0; };
-  std::vector<Evidence> evidence;
-  for (const Detection& detection : detections) {
-    Evidence& e = evidence.emplace_back();
-    e.classId = detection.classId;
-    e.confidence = detection.confidence;
-    e.size = detection.samples.size();
-    e.place_m = detection.centroid_m;
-    for (const std::size_t i : detection.samples) {
-      if (const ObjectId id = objectAt(i)) ++e.onObjects[id];
-    }
-    e.underMask = e.onObjects;
-    for (const std::size_t i : detection.doubtful) {
-      if (const ObjectId id = objectAt(i)) ++e.underMask[id];
-    }
-  }
+std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View& view, const Recognition& seen) {
+  const auto evidence = evidenceOf(seen, part.cloud, setting_.movable, options_.cloud.max_range_m);
   const bool canMiss = !view.segmentation.empty();
-  return part.objects.observe(evidence, canMiss ? inSight : std::map<ObjectId, std::size_t>{}, view.stamp_s, nextId_);
+  return part.objects.observe(evidence, canMiss ? seen.inSight : std::map<ObjectId, std::size_t>{}, view.stamp_s,
+                              nextId_);
 }
 
 void MapBuilder::Impl::takeMerges(Part& part) {
@@ -280,14 +308,18 @@ void MapBuilder::Impl::mergeSameBoxes() {
 
 void MapBuilder::Impl::reuniteMoved() {
   Part& main = part(*first_);
-  for (const auto& [id, object] : table_.rows()) {
-    if (object.state == ObjectState::Gone || main.objects.objects().count(id) == 0) continue;  // may just have merged
-    const std::vector<ObjectId> lost = earlierPlacesOf(object, table_, main.objects, main.cloud);
-    if (lost.empty()) continue;
-    removeGone(main, lost);
-    touched_.insert(id);
-    main.objects.reunite(lost, id);
+  std::map<ObjectId, MaybeSame> hints;
+  for (const auto& pair : reappearances(table_, main.objects, setting_.movable, options_.objects)) {
+    if (pair.isWitnessed && pair.probability > kSurelyOne) {
+      removeGone(main, {pair.lost});
+      touched_.insert({pair.lost, pair.found});
+      main.objects.reunite(pair.lost, pair.found);
+      continue;
+    }
+    MaybeSame& hint = hints[pair.found];
+    if (pair.probability > hint.probability) hint = {pair.lost, pair.probability};
   }
+  changes_.objects.merge(table_.hint(hints));
 }
 
 SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
@@ -311,9 +343,7 @@ SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile) const {
 }
 
 SemanticMap MapBuilder::Impl::map() {
-  if (first_) {  // small corrections, too
-    for (const auto& [id, count] : part(*first_).cloud.pointCounts()) touched_.insert(id);
-  }
+  if (first_) touched_.merge(part(*first_).cloud.takeChangedObjects());  // small corrections, too
   refresh();
   MapParts all;
   for (const auto& [id, keyframe] : keyframes_) {
@@ -330,6 +360,7 @@ SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
   SemanticMap map;
   map.labels = setting_.labels;
   map.zones = setting_.zones.all();
+  map.nextObjectId = nextId_;
   for (const KeyframeId id : parts.keyframes) {
     const auto entry = keyframes_.find(id);
     if (entry == keyframes_.end() || entry->second.submap != first_) continue;
@@ -351,6 +382,19 @@ SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
   return map;
 }
 
+MapMemory MapBuilder::Impl::memory(const std::set<KeyframeId>& tiles) const {
+  MapMemory memory;
+  const auto main = first_ ? parts_.find(*first_) : parts_.end();
+  if (main == parts_.end()) return memory;
+  for (const KeyframeId id : tiles) {
+    const Tile* tile = main->second.cloud.find(id);
+    if (tile != nullptr && !tile->points.empty()) memory.tiles[id] = SemanticCloud::remember(*tile);
+  }
+  for (const auto& [id, record] : main->second.objects.objects()) memory.objects.emplace(id, record);
+  memory.pairs = main->second.objects.pairs();
+  return memory;
+}
+
 MapParts MapBuilder::Impl::takeChanges() {
   refresh();
   if (first_) changes_.tiles = part(*first_).cloud.takeChanges();
@@ -363,12 +407,13 @@ MapBuilder::~MapBuilder() = default;
 MapBuilder::MapBuilder(MapBuilder&&) noexcept = default;
 MapBuilder& MapBuilder::operator=(MapBuilder&&) noexcept = default;
 
-void MapBuilder::restore(const SemanticMap& earlier) { impl_->restore(earlier); }
+void MapBuilder::restore(const SemanticMap& earlier, const MapMemory& memory) { impl_->restore(earlier, memory); }
 void MapBuilder::addKeyframe(const odometry::Keyframe& keyframe) { impl_->addKeyframe(keyframe); }
 void MapBuilder::apply(const odometry::MapUpdate& update) { impl_->apply(update); }
 void MapBuilder::add(const View& view) { impl_->add(view); }
 SemanticMap MapBuilder::map() { return impl_->map(); }
 SemanticMap MapBuilder::map(const MapParts& parts) { return impl_->map(parts); }
+MapMemory MapBuilder::memory(const std::set<odometry::KeyframeId>& tiles) const { return impl_->memory(tiles); }
 MapParts MapBuilder::takeChanges() { return impl_->takeChanges(); }
 
 }  // namespace wardslam::mapping

@@ -34,13 +34,15 @@ double ratio(std::size_t part, std::size_t whole) {
 
 }  // namespace
 
-ObjectRecord ObjectRecord::from(const MapObject& object) {
+ObjectRecord ObjectRecord::from(const MapObject& object, double least_evidence) {
   ObjectRecord record;
   record.views = record.expected = object.views;
   record.firstSeen_s = object.firstSeen_s;
   record.lastSeen_s = object.lastSeen_s;
   record.state = object.state;
-  record.votes[object.classId] = object.probability / foundShare(record) * object.views;
+  record.votes[object.classId] = std::max(least_evidence, object.probability / foundShare(record) * object.views);
+  record.lastPlace_m = object.centroid_m.cast<float>();
+  if (object.state == ObjectState::Gone) record.gone_s = object.lastSeen_s;
   return record;
 }
 
@@ -93,6 +95,7 @@ std::vector<ObjectId> ObjectDatabase::observe(const std::vector<Evidence>& detec
     if (assigned[i] == 0) {
       assigned[i] = nextId++;
       objects_[assigned[i]].firstSeen_s = stamp_s;
+      objects_[assigned[i]].placeWasEmpty = detections[i].placeWasEmpty;
     }
     objects_.at(assigned[i]).votes[detections[i].classId] += detections[i].confidence;
     objects_.at(assigned[i]).lastPlace_m = detections[i].place_m;
@@ -181,11 +184,12 @@ void ObjectDatabase::merge(ObjectId from, ObjectId into) {
   for (const auto& [c, confidence] : gone->second.votes) object.votes[c] += confidence;
   object.views += gone->second.views;
   object.expected += gone->second.expected;
+  if (gone->second.firstSeen_s < object.firstSeen_s) object.placeWasEmpty = gone->second.placeWasEmpty;
   object.firstSeen_s = std::min(object.firstSeen_s, gone->second.firstSeen_s);
   object.lastSeen_s = std::max(object.lastSeen_s, gone->second.lastSeen_s);
   object.missed = std::min(object.missed, gone->second.missed);
   objects_.erase(gone);
-  std::map<std::pair<ObjectId, ObjectId>, Relation> relations;
+  std::map<std::pair<ObjectId, ObjectId>, PairMemory> relations;
   for (const auto& [pair, relation] : relations_) {
     const ObjectId a = pair.first == from ? into : pair.first;
     const ObjectId b = pair.second == from ? into : pair.second;
@@ -198,7 +202,7 @@ void ObjectDatabase::merge(ObjectId from, ObjectId into) {
 }
 
 std::vector<ObjectId> ObjectDatabase::erase(const std::map<ObjectId, std::size_t>& points,
-                                            const std::map<ObjectId, std::size_t>& left) {
+                                            const std::map<ObjectId, std::size_t>& left, double stamp_s) {
   std::vector<ObjectId> gone;
   for (const auto& [id, count] : points) {
     const auto object = objects_.find(id);
@@ -206,17 +210,18 @@ std::vector<ObjectId> ObjectDatabase::erase(const std::map<ObjectId, std::size_t
     object->second.erased += count;
     if (static_cast<double>(object->second.erased) < kGoneRatio * static_cast<double>(countOf(left, id))) continue;
     object->second.state = ObjectState::Gone;
+    object->second.gone_s = stamp_s;
     gone.push_back(id);
   }
   return gone;
 }
 
-void ObjectDatabase::reunite(const std::vector<ObjectId>& lost, ObjectId found) {
-  const ObjectId kept = lost.front();
+void ObjectDatabase::reunite(ObjectId lost, ObjectId found) {
   const int viewsToRest = objects_.at(found).viewsToRest;
-  merge(found, kept);
-  for (const ObjectId id : lost) merge(id, kept);
-  ObjectRecord& object = objects_.at(kept);
+  const Eigen::Vector3f place_m = objects_.at(found).lastPlace_m;
+  merge(found, lost);
+  ObjectRecord& object = objects_.at(lost);
+  object.lastPlace_m = place_m;
   object.state = ObjectState::Moved;
   object.erased = 0;
   object.missed = 0;

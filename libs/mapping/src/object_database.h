@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "wardslam/core/segmentation.h"
+#include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/map_object.h"
 #include "wardslam/mapping/mapping_options.h"
 
@@ -19,26 +20,18 @@ struct Evidence {
   Eigen::Vector3f place_m = Eigen::Vector3f::Zero();
   std::map<ObjectId, std::size_t> onObjects;  ///< Of these, how many fall on points of each object.
   std::map<ObjectId, std::size_t> underMask;  ///< The same of all samples under its mask, the doubtful too.
+  bool placeWasEmpty = false;                 ///< Earlier images saw through where it is.
 };
 
 /// What is known of an object besides its points, which the cloud has.
-struct ObjectRecord {
+struct ObjectRecord : ObjectMemory {
   static constexpr int kConvincingMisses = 5;
 
-  std::map<core::ClassId, double> votes;  ///< Sum of confidences, by class.
-  int views = 0;                          ///< That saw it,
-  int expected = 0;                       ///< and that had it in plain sight.
-  int missed = 0;                         ///< Of those, the last ones in a row that did not see it.
-  double firstSeen_s = 0.0;
-  double lastSeen_s = 0.0;
-  Eigen::Vector3f lastPlace_m = Eigen::Vector3f::Zero();  ///< Of the detection that saw it last.
-  double handled_s = 0.0;                                 ///< When it was last in somebody's hands.
-  int viewsToRest = 0;                                    ///< It must be seen so many times more to count as put down.
-  std::size_t erased = 0;                                 ///< Points taken away since it was seen last.
-  ObjectState state = ObjectState::Static;
+  ObjectRecord() = default;
+  explicit ObjectRecord(const ObjectMemory& memory) : ObjectMemory(memory) {}
 
-  /// As if all its views had agreed on its class.
-  [[nodiscard]] static ObjectRecord from(const MapObject& object);
+  /// As if all its views had agreed on its class. Of what was told to others there was this much evidence.
+  [[nodiscard]] static ObjectRecord from(const MapObject& object, double least_evidence = 0.0);
 
   [[nodiscard]] core::ClassId classId() const;
   /// Since it was seen last it was missed more often than it was ever seen: it may have been taken away.
@@ -56,6 +49,7 @@ class ObjectDatabase {
 
   /// An object of an earlier map.
   void restore(ObjectId id, const ObjectRecord& record) { objects_[id] = record; }
+  void restore(const std::map<std::pair<ObjectId, ObjectId>, PairMemory>& pairs) { relations_ = pairs; }
 
   /// The object each detection of one view shows; new ones get an id from `nextId`. `inSight`: how many points of each
   /// object the view sees.
@@ -68,11 +62,10 @@ class ObjectDatabase {
   /// Points of these objects were seen through and taken away. `left`: what remains of each. Returns the objects that
   /// are gone by that.
   std::vector<ObjectId> erase(const std::map<ObjectId, std::size_t>& points,
-                              const std::map<ObjectId, std::size_t>& left);
+                              const std::map<ObjectId, std::size_t>& left, double stamp_s);
 
-  /// A thing that was lost from one place after the other, and the same thing, seen since at another, are one that
-  /// moved; it keeps its first id.
-  void reunite(const std::vector<ObjectId>& lost, ObjectId found);
+  /// A thing that was lost and the same thing, seen since at another place, are one that moved; it keeps its first id.
+  void reunite(ObjectId lost, ObjectId found);
 
   /// Objects that turned out to be others, since the last call: {from, into}.
   [[nodiscard]] std::vector<std::pair<ObjectId, ObjectId>> takeMerges() { return std::exchange(merges_, {}); }
@@ -81,6 +74,7 @@ class ObjectDatabase {
   void merge(ObjectId from, ObjectId into);
 
   [[nodiscard]] const std::map<ObjectId, ObjectRecord>& objects() const { return objects_; }
+  [[nodiscard]] const std::map<std::pair<ObjectId, ObjectId>, PairMemory>& pairs() const { return relations_; }
 
   /// Whether images showed the two as two things more often than as one.
   [[nodiscard]] bool areApart(ObjectId a, ObjectId b) const;
@@ -88,10 +82,6 @@ class ObjectDatabase {
   void absorb(ObjectDatabase&& other);
 
  private:
-  struct Relation {
-    int together = 0;  ///< Views in which one detection covered both,
-    int apart = 0;     ///< and in which each had its own.
-  };
   struct Handling {
     core::ClassId classId = 0;
     Eigen::Vector3f place_m = Eigen::Vector3f::Zero();
@@ -112,7 +102,7 @@ class ObjectDatabase {
 
   ObjectOptions options_;
   std::map<ObjectId, ObjectRecord> objects_;
-  std::map<std::pair<ObjectId, ObjectId>, Relation> relations_;  ///< The lesser id first.
+  std::map<std::pair<ObjectId, ObjectId>, PairMemory> relations_;  ///< The lesser id first.
   std::vector<std::pair<ObjectId, ObjectId>> merges_;
   std::vector<Handling> handlings_;  ///< Of the last seconds.
 };

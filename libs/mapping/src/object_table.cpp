@@ -50,6 +50,19 @@ std::set<ObjectId> ObjectTable::update(const std::set<ObjectId>& touched, const 
   return changed;
 }
 
+std::set<ObjectId> ObjectTable::hint(const std::map<ObjectId, MaybeSame>& hints) {
+  std::set<ObjectId> changed;
+  for (auto& [id, row] : rows_) {
+    const auto hint = hints.find(id);
+    const MaybeSame is = hint == hints.end() ? MaybeSame{} : hint->second;
+    const MaybeSame was = row.maybeSameAs.value_or(MaybeSame{});
+    if (is.id == was.id && is.probability == was.probability) continue;
+    row.maybeSameAs = is.id == 0 ? std::nullopt : std::optional(is);
+    changed.insert(id);
+  }
+  return changed;
+}
+
 bool ObjectTable::isEstablished(const ObjectRecord& record) const {
   return record.views >= kFewestViews && record.evidence() >= options_.min_evidence && !record.isMissing() &&
          record.views >= options_.min_seen_fraction * std::max(record.expected, record.views);

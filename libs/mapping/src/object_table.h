@@ -18,6 +18,9 @@ class ObjectTable {
   std::set<ObjectId> update(const std::set<ObjectId>& touched, const ObjectDatabase& database,
                             const SemanticCloud& cloud);
 
+  /// Which objects may be others that were lost; all other rows lose their hints. Returns those whose hints changed.
+  std::set<ObjectId> hint(const std::map<ObjectId, MaybeSame>& hints);
+
   /// A row of an earlier map.
   void restore(const MapObject& row) { rows_[row.id] = row; }
 

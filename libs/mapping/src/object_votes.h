@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "wardslam/mapping/semantic_cloud_tile.h"
+#include "wardslam/mapping/map_memory.h"
 
 namespace wardslam::mapping {
 
@@ -10,20 +10,21 @@ namespace wardslam::mapping {
 /// from the weakest until it has its place (Misra and Gries: "Finding repeated elements", 1982).
 class ObjectVotes {
  public:
+  using Votes = std::array<ObjectVote, 3>;
+
+  ObjectVotes() = default;
+  explicit ObjectVotes(const Votes& votes) : votes_(votes) {}
   void add(ObjectId object, float weight);
   void rename(ObjectId from, ObjectId into);
   void add(const ObjectVotes& others);
 
   [[nodiscard]] ObjectId winner() const;
+  [[nodiscard]] const Votes& votes() const { return votes_; }
 
  private:
-  struct Vote {
-    ObjectId object = 0;
-    float weight = 0.0F;
-  };
   void bound();
 
-  std::array<Vote, 3> votes_{};
+  Votes votes_{};
 };
 
 }  // namespace wardslam::mapping

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
-
-#include "object_shape.h"
+#include <map>
 
 namespace wardslam::mapping {
 namespace {
@@ -14,8 +13,20 @@ constexpr double kSameBox = 0.5;
 /// A thing that moved is found again by its class and by its longest side, which agree within this factor.
 constexpr double kSameSize = 2.0;
 
-/// A thing last seen in somebody's hands is looked for elsewhere after so long.
-constexpr double kCarrying_s = 1.0;
+/// Who pushes a thing that stays near does not need long, nor far; then nobody need have seen the new place empty.
+constexpr double kPutDown_s = 30.0;
+constexpr double kPutDown_m = 3.0;
+
+/// How probable a pair is for its distance falls off from here; things are mostly found near where they stood.
+constexpr double kNear_m = 3.0;
+
+/// The weight of "a thing nobody knew before" beside that of a pair at no distance, and what a pair that nobody
+/// witnessed counts.
+constexpr double kUnknown = 0.005;
+constexpr double kUnwitnessed = 0.3;
+
+/// The middles of boxes that were seen from other sides differ by so much.
+constexpr double kSlack_m = 1.0;
 
 double sharedOfSmaller(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b, double margin_m) {
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(margin_m);
@@ -30,18 +41,30 @@ bool coverOnePlace(const MapObject& a, const MapObject& b, double margin_m) {
   return sharedOfSmaller(a.box_m, b.box_m, margin_m) > kSameBox;
 }
 
-/// Whether it need not be any more where it was seen last, when the other was seen first at `since_s`.
-bool isLost(const ObjectRecord& record, double since_s) {
-  const bool isCarriedOn = record.viewsToRest > 0 && since_s > record.lastSeen_s + kCarrying_s;
-  return record.state == ObjectState::Gone || record.isMissing() || isCarriedOn;
+bool isInHands(const ObjectRecord& record) { return record.viewsToRest > 0; }
+
+/// When it was known not to be where it was seen last.
+double lossKnown_s(const ObjectRecord& record) {
+  return record.state == ObjectState::Gone ? record.gone_s : record.handled_s;
 }
 
-/// The longest side of an object, be it gone or not yet told to anybody; 0 where nothing is known of it.
-double lengthOf(ObjectId id, const ObjectTable& table, const SemanticCloud& cloud) {
-  const auto row = table.rows().find(id);
-  if (row != table.rows().end()) return row->second.box_m.sizes().maxCoeff();
-  const auto points = cloud.pointsOf({id}).at(id);
-  return points.empty() ? 0.0 : shapeOf(points, kPartGap_m).box_m.sizes().maxCoeff();
+/// How well the two fit together; 0 where they cannot be one thing.
+double fit(const MapObject& lost, const MapObject& found, const ObjectOptions& options) {
+  const double time_s = found.firstSeen_s - lost.lastSeen_s;
+  const double distance_m = (found.centroid_m - lost.centroid_m).norm();
+  if (time_s <= 0 || distance_m > options.push_speed_mps * time_s + kSlack_m) return 0.0;
+  const double lengths[] = {lost.box_m.sizes().maxCoeff(), found.box_m.sizes().maxCoeff()};
+  const double ratio = std::min(lengths[0], lengths[1]) / std::max(lengths[0], lengths[1]);
+  if (!(ratio * kSameSize > 1.0)) return 0.0;
+  return ratio / (1.0 + distance_m * distance_m / (kNear_m * kNear_m));
+}
+
+bool isWitnessed(const MapObject& lost, const ObjectRecord& lostRecord, const MapObject& found,
+                 const ObjectRecord& foundRecord) {
+  if (found.firstSeen_s <= lossKnown_s(lostRecord)) return false;
+  const bool isPutDownNearby = isInHands(lostRecord) && found.firstSeen_s - lostRecord.handled_s < kPutDown_s &&
+                               (found.centroid_m - lost.centroid_m).norm() < kPutDown_m;
+  return foundRecord.placeWasEmpty || isPutDownNearby;
 }
 
 }  // namespace
@@ -58,17 +81,32 @@ std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const ObjectTable& table, c
   return same;
 }
 
-std::vector<ObjectId> earlierPlacesOf(const MapObject& found, const ObjectTable& table, const ObjectDatabase& database,
-                                      const SemanticCloud& cloud) {
-  const double foundLength_m = found.box_m.sizes().maxCoeff();
-  std::vector<ObjectId> earlier;
-  for (const auto& [id, record] : database.objects()) {
-    if (id == found.id || record.classId() != found.classId || !isLost(record, found.firstSeen_s)) continue;
-    if (found.firstSeen_s <= record.lastSeen_s) continue;  // were seen at the same time
-    const double length_m = lengthOf(id, table, cloud);
-    if (foundLength_m < kSameSize * length_m && length_m < kSameSize * foundLength_m) earlier.push_back(id);
+std::vector<Reappearance> reappearances(const ObjectTable& table, const ObjectDatabase& database,
+                                        const knowledge::ClassSet& movable, const ObjectOptions& options) {
+  std::vector<Reappearance> pairs;
+  std::map<ObjectId, double> sums;  // over the pairs each record is in
+  for (const auto& [lostId, lost] : table.rows()) {
+    const auto lostRecord = database.objects().find(lostId);
+    if (!movable[lost.classId] || lostRecord == database.objects().end()) continue;
+    if (lost.state != ObjectState::Gone && !isInHands(lostRecord->second)) continue;
+    for (const auto& [foundId, found] : table.rows()) {
+      const auto foundRecord = database.objects().find(foundId);
+      if (foundId == lostId || found.classId != lost.classId || found.state == ObjectState::Gone) continue;
+      if (foundRecord == database.objects().end()) continue;
+      double weight = fit(lost, found, options);
+      if (weight <= 0) continue;
+      const bool witnessed = isWitnessed(lost, lostRecord->second, found, foundRecord->second);
+      if (!witnessed) weight *= kUnwitnessed;
+      pairs.push_back({lostId, foundId, weight, witnessed});
+      sums[lostId] += weight;
+      sums[foundId] += weight;
+    }
   }
-  return earlier;
+  for (Reappearance& pair : pairs) {
+    const double all = kUnknown + sums[pair.lost] + sums[pair.found] - pair.probability;
+    pair.probability *= (pair.isWitnessed ? 1.0 : kUnwitnessed) / all;
+  }
+  return pairs;
 }
 
 }  // namespace wardslam::mapping

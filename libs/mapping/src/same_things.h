@@ -5,7 +5,7 @@
 
 #include "object_database.h"
 #include "object_table.h"
-#include "semantic_cloud.h"
+#include "wardslam/knowledge/motion_rules.h"
 
 namespace wardslam::mapping {
 
@@ -15,9 +15,18 @@ namespace wardslam::mapping {
 [[nodiscard]] std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const ObjectTable& table,
                                                                    const ObjectDatabase& database, double margin_m);
 
-/// The objects that `found` was at places it has since been taken from: of its class, about as long, lost before it
-/// was seen.
-[[nodiscard]] std::vector<ObjectId> earlierPlacesOf(const MapObject& found, const ObjectTable& table,
-                                                    const ObjectDatabase& database, const SemanticCloud& cloud);
+/// A record of what was lost, and one that may be the same thing at the place it was moved to.
+struct Reappearance {
+  ObjectId lost = 0;
+  ObjectId found = 0;
+  double probability = 0.0;  ///< Among all that was lost and found, and things nobody knew before.
+  bool isWitnessed = false;  ///< The loss was known and the new place seen empty before it stood there.
+};
+
+/// Every pair that may be one thing: of one class that somebody can move, about as long, never seen at the same time,
+/// and no farther apart than it can be pushed in the time between. Nearer pairs are more probable, and each record
+/// shares its probability among all pairs it is in, so no record is in two that are more probable than 0.5.
+[[nodiscard]] std::vector<Reappearance> reappearances(const ObjectTable& table, const ObjectDatabase& database,
+                                                      const knowledge::ClassSet& movable, const ObjectOptions& options);
 
 }  // namespace wardslam::mapping

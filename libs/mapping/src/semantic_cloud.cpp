@@ -11,12 +11,9 @@ namespace wardslam::mapping {
 namespace {
 
 constexpr std::int8_t kNewEvidence = 1;
-constexpr std::int8_t kMostEvidence = 4;    // what stood for long must still be seen to be gone within a second or two
 constexpr std::int8_t kLeastEvidence = -1;  // below, the point is gone: it was seen through, and more than once
 
-constexpr float kNoiseReach = 2.0F;          // two sightings of one point differ by no more standard deviations
-constexpr core::DepthNoise kSavedNoise;      // what saved points were measured with is not saved
-constexpr float kMostPrecision_m2 = 4.0e6F;  // (0.5 mm)^-2: systematic errors do not average out
+constexpr float kNoiseReach = 2.0F;  // two sightings of one point differ by no more standard deviations
 
 }  // namespace
 
@@ -33,27 +30,6 @@ void SemanticCloud::addTile(KeyframeId keyframe, const Eigen::Isometry3d& T_map_
   freeTiles_.pop_back();
 }
 
-void SemanticCloud::restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam, const SemanticCloudTile& saved) {
-  addTile(keyframe, T_map_cam);
-  const std::uint32_t index = tileOf_.at(keyframe);
-  Tile& tile = tiles_[index];
-  for (const SemanticPoint& point : saved.points) {
-    CloudPoint& restored = tile.points.emplace_back();
-    restored.p_cam_m = point.p_cam_m;
-    restored.color_rgb = Eigen::Vector3f(point.color_rgb[0], point.color_rgb[1], point.color_rgb[2]);
-    restored.sightings = point.sightings;
-    const double sigma_m = kSavedNoise.sigma_m(static_cast<double>(point.p_cam_m.z()));
-    restored.sigma_m = static_cast<float>(std::min(sigma_m, options_.max_sigma_m));  // or it would not have been saved
-    restored.precision_m2 =
-        std::min(kMostPrecision_m2, static_cast<float>(point.sightings) / (restored.sigma_m * restored.sigma_m));
-    restored.evidence = kMostEvidence;
-    restored.votes.add(point.object, static_cast<float>(point.sightings));
-    setObject(restored, point.object);
-    tile.radius_m = std::max(tile.radius_m, point.p_cam_m.norm());
-  }
-  enter({index});
-}
-
 std::set<ObjectId> SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
   std::vector<std::uint32_t> moved;
   std::set<ObjectId> objects;
@@ -61,7 +37,10 @@ std::set<ObjectId> SemanticCloud::movePoses(const std::map<KeyframeId, Eigen::Is
     const auto entry = tileOf_.find(keyframe);
     if (entry == tileOf_.end()) continue;
     Tile& tile = tiles_[entry->second];
-    tile.T_map_cam = pose.cast<float>();
+    const Eigen::Isometry3f poseNow = pose.cast<float>();
+    if (poseNow.matrix() == tile.T_map_cam.matrix()) continue;
+    tile.T_map_cam = poseNow;
+    shifted_.insert(keyframe);
     const Eigen::Isometry3f change = tile.T_map_camIndexed.inverse() * tile.T_map_cam;
     const float shift_m = change.translation().norm() + Eigen::AngleAxisf(change.linear()).angle() * tile.radius_m;
     if (shift_m <= static_cast<float>(options_.voxel_m) / 2) continue;
@@ -87,6 +66,7 @@ void SemanticCloud::moveTile(KeyframeId from, KeyframeId onto) {
     tile.points.push_back(point);
   }
   changed_.insert({from, onto});
+  if (shifted_.erase(from) > 0) shifted_.insert(onto);
   tileOf_.erase(from);
   tiles_[fromIndex] = {};
   freeTiles_.push_back(fromIndex);
@@ -153,6 +133,7 @@ void SemanticCloud::update(const PointRef& ref, const Sample& sample, const Labe
   point.precision_m2 = std::min(point.precision_m2 + weight, kMostPrecision_m2);
   point.sigma_m = std::min(point.sigma_m, sample.sigma_m);
   point.votes.add(vote.object, vote.weight);
+  noteChange(point.object);
   setObject(point, point.votes.winner());
   changed_.insert(tile.keyframe);
   if (point.lastFusion == fusions_) return;  // another sample of the same view
@@ -208,6 +189,7 @@ void SemanticCloud::merge(const PointRef& from, const PointRef& into) {
   kept.precision_m2 = std::min(kept.precision_m2 + gone.precision_m2, kMostPrecision_m2);
   kept.sigma_m = std::min(kept.sigma_m, gone.sigma_m);
   kept.votes.add(gone.votes);
+  noteChange(kept.object);
   setObject(kept, kept.votes.winner());
   kept.sightings = std::max(kept.sightings, gone.sightings);
   kept.evidence = std::max(kept.evidence, gone.evidence);
@@ -327,8 +309,26 @@ void SemanticCloud::touchObject(ObjectId object) {
   }
 }
 
+void SemanticCloud::noteChange(ObjectId object) {
+  if (object == 0 || object == lastChanged_) return;
+  changedObjects_.insert(object);
+  lastChanged_ = object;
+}
+
+std::set<ObjectId> SemanticCloud::takeChangedObjects() {
+  for (const KeyframeId keyframe : std::exchange(shifted_, {})) {
+    const Tile* tile = find(keyframe);
+    if (tile == nullptr) continue;
+    for (const CloudPoint& point : tile->points) noteChange(point.object);
+  }
+  lastChanged_ = 0;
+  return std::exchange(changedObjects_, {});
+}
+
 void SemanticCloud::setObject(CloudPoint& point, ObjectId object) {
   if (point.object == object) return;
+  noteChange(point.object);
+  noteChange(object);
   if (point.object != 0 && --pointCounts_[point.object] == 0) pointCounts_.erase(point.object);
   if (object != 0) ++pointCounts_[object];
   point.object = object;
@@ -354,7 +354,10 @@ void SemanticCloud::absorb(SemanticCloud&& other) {
     added.push_back(tileOf_.at(keyframe));
     tiles_[added.back()] = std::move(other.tiles_[otherIndex]);
   }
-  for (const auto& [object, count] : other.pointCounts_) pointCounts_[object] += count;
+  for (const auto& [object, count] : other.pointCounts_) {
+    pointCounts_[object] += count;
+    noteChange(object);
+  }
   enter(added);
 }
 

@@ -12,12 +12,17 @@
 #include "cell_hash.h"
 #include "object_votes.h"
 #include "view_samples.h"
+#include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/mapping_options.h"
 #include "wardslam/odometry/keyframe.h"
 
 namespace wardslam::mapping {
 
 using odometry::KeyframeId;
+
+/// Of a point's evidence and precision.
+constexpr std::int8_t kMostEvidence = 4;     // what stood for long must still be seen to be gone within a second or two
+constexpr float kMostPrecision_m2 = 4.0e6F;  // (0.5 mm)^-2: systematic errors do not average out
 
 /// A point while it is being worked on.
 struct CloudPoint {
@@ -56,8 +61,12 @@ class SemanticCloud {
 
   void addTile(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam);
 
-  /// A tile of an earlier map.
+  /// A tile of an earlier map: all that was known of it, or of older maps what they showed of it. Its points stay as
+  /// they are, also where two of them fall into one cell.
+  void restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam, const TileMemory& saved);
   void restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_cam, const SemanticCloudTile& saved);
+
+  [[nodiscard]] static TileMemory remember(const Tile& tile);
 
   /// New poses of keyframes; those unknown here are left out. Returns the objects with points on keyframes that have
   /// moved by half a voxel or more since points were last put in their cells.
@@ -104,6 +113,9 @@ class SemanticCloud {
   /// Takes over all tiles of another cloud, whose poses must be in this cloud's map frame by now.
   void absorb(SemanticCloud&& other);
 
+  /// Objects with points that came, went or moved, by however little, since the last call.
+  [[nodiscard]] std::set<ObjectId> takeChangedObjects();
+
   /// Keyframes whose tiles changed since the last call.
   [[nodiscard]] std::set<KeyframeId> takeChanges() { return std::exchange(changed_, {}); }
 
@@ -118,7 +130,9 @@ class SemanticCloud {
   void erase(std::vector<PointRef> gone);
   void reindex(const std::vector<std::uint32_t>& tiles);
   void enter(const std::vector<std::uint32_t>& tiles);
+  void enterUnchanged(std::uint32_t tile);
 
+  void noteChange(ObjectId object);
   void setObject(CloudPoint& point, ObjectId object);
 
   CloudOptions options_;
@@ -128,6 +142,9 @@ class SemanticCloud {
   std::unordered_map<std::uint64_t, PointRef, CellHash> index_;
   std::map<ObjectId, std::size_t> pointCounts_;  ///< Of every object that has points.
   std::set<KeyframeId> changed_;
+  std::set<ObjectId> changedObjects_;
+  ObjectId lastChanged_ = 0;      ///< One of them: points that follow each other are mostly of one object.
+  std::set<KeyframeId> shifted_;  ///< Have new poses since objects were last asked for.
   std::uint32_t fusions_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "wardslam/pipeline/earlier_map.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "wardslam/core/errors.h"
@@ -7,17 +8,27 @@
 
 namespace wardslam::pipeline {
 
-EarlierMap readEarlierMap(const std::filesystem::path& file) {
+EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use) {
   const auto map = storage::MapFile::open(file);
   EarlierMap earlier;
-  earlier.semantic = map.read();
+  earlier.use = use;
+  earlier.semantic = map.read(use == graph::Saved::IsHeld ? storage::CloudPart::LeaveOut : storage::CloudPart::Include);
+  if (use == graph::Saved::MayChange) earlier.memory = map.readMemory();
   earlier.graph.p_map_m = map.readPoints();
   for (odometry::Keyframe& keyframe : map.readViews()) {
     const auto placed = earlier.semantic.keyframes.find(keyframe.id);
     if (placed == earlier.semantic.keyframes.end()) continue;
     keyframe.T_map_cam = placed->second.T_map_cam;
+    earlier.graph.lastSubmap = std::max(earlier.graph.lastSubmap, keyframe.submap);
     keyframe.submap = 0;
     earlier.graph.keyframes.push_back(std::make_shared<const odometry::Keyframe>(std::move(keyframe)));
+  }
+  for (const auto& loop : map.readLoops()) {
+    graph::Loop& tie = earlier.graph.loops.emplace_back();
+    tie.older = loop.from;
+    tie.newer = loop.to;
+    tie.T_older_newer = loop.T_from_to;
+    tie.inliers = loop.inliers;
   }
   if (earlier.graph.keyframes.empty()) {
     throw core::InputError(file.string() +

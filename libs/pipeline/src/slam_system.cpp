@@ -7,13 +7,14 @@
 #include "map_feed.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/first_failure.h"
 
 namespace wardslam::pipeline {
 namespace {
 
-std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const graph::SavedGraph& earlier) {
+std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const EarlierMap& earlier) {
   auto mapper = std::make_unique<graph::Mapper>(options.graph, options.odometry);
-  mapper->restore(earlier);
+  mapper->restore(earlier.graph, earlier.use);
   return mapper;
 }
 
@@ -26,15 +27,20 @@ odometry::Continuation continuationOf(const graph::SavedGraph& earlier) {
       continuation.lastPoint = std::max(continuation.lastPoint, sighting.point);
     }
   }
-  continuation.submap = 1;
+  continuation.submap = earlier.lastSubmap + 1;
   return continuation;
 }
 
 /// A class id means one thing, in the map and in the masks to come.
-void requireSameNames(const core::LabelSpace& labels, const mapping::SemanticMap& earlier) {
+void requireSameNames(const core::LabelSpace& labels, bool hasMasks, const mapping::SemanticMap& earlier) {
   for (const auto& [id, object] : earlier.objects) {
     const std::string& before = earlier.labels.name(object.classId);
     const std::string& now = labels.name(object.classId);
+    const auto another = hasMasks ? labels.find(before) : std::nullopt;
+    if (!before.empty() && another && *another != object.classId) {
+      throw core::InputError("class '" + before + "' is " + std::to_string(object.classId) + " in the map but " +
+                             std::to_string(*another) + " in the masks; use the class ids the map was made with");
+    }
     if (before.empty() || now.empty() || before == now) continue;
     throw core::InputError("class " + std::to_string(object.classId) + " is '" + before + "' in the map but '" + now +
                            "' in the masks; use the class names the map was made with");
@@ -42,9 +48,9 @@ void requireSameNames(const core::LabelSpace& labels, const mapping::SemanticMap
 }
 
 std::unique_ptr<mapping::MapBuilder> makeMapBuilder(const SlamOptions& options, mapping::MapSetting setting,
-                                                    const mapping::SemanticMap& earlier) {
+                                                    const EarlierMap& earlier) {
   auto builder = std::make_unique<mapping::MapBuilder>(options.mapping, std::move(setting));
-  if (!earlier.keyframes.empty()) builder->restore(earlier);
+  if (!earlier.semantic.keyframes.empty()) builder->restore(earlier.semantic, earlier.memory);
   return builder;
 }
 
@@ -57,6 +63,19 @@ core::StageThread threadOf(const SlamOptions& options) {
   return options.deterministic ? core::StageThread::Caller : core::StageThread::Own;
 }
 
+/// A recording waits when tracking is more than a few keyframes ahead; each is some four tasks of the map builder.
+core::StageCapacity graphCapacity(WhenBehind whenBehind) {
+  core::StageCapacity capacity;
+  if (whenBehind == WhenBehind::Waits) capacity.required = 4;
+  return capacity;
+}
+
+core::StageCapacity mapCapacity(WhenBehind whenBehind) {
+  core::StageCapacity capacity;
+  if (whenBehind == WhenBehind::Waits) capacity.required = 16;
+  return capacity;
+}
+
 mapping::Zones zonesOf(const SlamOptions& options, const mapping::SemanticMap& earlier) {
   if (options.zones.file.empty()) return mapping::Zones(earlier.zones);
   return mapping::Zones::fromFile(core::findDataFile(options.zones.file, options.file));
@@ -64,18 +83,20 @@ mapping::Zones zonesOf(const SlamOptions& options, const mapping::SemanticMap& e
 
 }  // namespace
 
-SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier)
+SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, WhenBehind whenBehind)
     : options_(options),
       frontEnd_(options, continuationOf(earlier.graph)),
       zones_(zonesOf(options, earlier.semantic)),
-      graphBuilding_(makeMapper(options, earlier.graph), threadOf(options)) {
+      graphBuilding_(makeMapper(options, earlier), threadOf(options), graphCapacity(whenBehind)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
-  requireSameNames(labelSpace(), earlier.semantic);
+  requireSameNames(labelSpace(), options.segmentation.type != segmentation::SegmentationOptions::Type::None,
+                   earlier.semantic);
   addObserver(trajectory_);
   if (!options.mapping.enabled) return;
   mapBuilding_ = std::make_unique<core::Stage<mapping::MapBuilder>>(
-      makeMapBuilder(options, {labelSpace(), frontEnd_.movers(), zones_}, earlier.semantic), threadOf(options));
-  mapFeed_ = std::make_unique<MapFeed>(*mapBuilding_, makeViewSelection(options), frontEnd_.profiler());
+      makeMapBuilder(options, {labelSpace(), frontEnd_.movers(), zones_, frontEnd_.movables()}, earlier),
+      threadOf(options), mapCapacity(whenBehind));
+  mapFeed_ = std::make_unique<MapFeed>(*mapBuilding_, makeViewSelection(options), frontEnd_.profiler(), whenBehind);
 }
 
 SlamSystem::~SlamSystem() = default;
@@ -94,16 +115,21 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   }
   graphBuilding_.rethrowFailure();
   const auto updates = mapUpdates_.takeAll();
+  lastStamp_s_ = frame.stamp_s;
   for (const auto& update : updates) {
     const auto application = profiler.measure("odometry.apply");
     frontEnd_.apply(update);
     trajectory_.apply(update);
-    if (hasEarlierMap_ && !recognisedAt_s_ && update.joined && update.joined->into == 0)
-      recognisedAt_s_ = frame.stamp_s;
+    noteRecognition(update);
   }
   if (mapFeed_) mapFeed_->update(frame, odometry, updates);
   for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
   return odometry;
+}
+
+void SlamSystem::noteRecognition(const odometry::MapUpdate& update) {
+  const bool isRecognised = hasEarlierMap_ && update.joined && update.joined->into == 0;
+  if (isRecognised && !recognisedAt_s_) recognisedAt_s_ = lastStamp_s_;
 }
 
 /// A keyframe that comes while another is worked in has adjustments over the whole map end early.
@@ -114,15 +140,37 @@ void SlamSystem::insert(const std::shared_ptr<const odometry::Keyframe>& keyfram
 }
 
 void SlamSystem::finish() {
-  if (!mapper_) {
-    mapper_ = graphBuilding_.finish();
-    mapper_->adjustAll();
-  }
-  for (const auto& update : mapUpdates_.takeAll()) {
-    trajectory_.apply(update);
-    if (mapFeed_) mapFeed_->apply(update);
-  }
-  if (mapBuilding_ && !mapBuilder_) mapBuilder_ = mapBuilding_->finish();
+  core::FirstFailure failure;
+  failure.attempt([this] { finishGraph(); });
+  failure.attempt([this] {
+    for (const auto& update : mapUpdates_.takeAll()) {
+      noteRecognition(update);
+      trajectory_.apply(update);
+      if (mapFeed_) mapFeed_->apply(update);
+    }
+  });
+  failure.attempt([this] {
+    if (mapBuilding_ && !mapBuilder_) mapBuilder_ = mapBuilding_->finish();
+  });
+  if (mapBuilding_ && !mapBuilder_) mapBuilder_ = mapBuilding_->giveUp();
+  failure.rethrow();
+}
+
+void SlamSystem::finishGraph() {
+  if (mapper_) return;
+  core::FirstFailure failure;
+  failure.attempt([this] { mapper_ = graphBuilding_.finish(); });
+  if (!mapper_) mapper_ = graphBuilding_.giveUp();
+  failure.rethrow();
+  mapUpdates_.put(mapper_->adjustAll());
+}
+
+core::EventCounts SlamSystem::leftOut() const {
+  core::EventCounts counts;
+  if (!mapFeed_) return counts;
+  if (const auto views = mapBuilding_->leftOut(); views > 0) counts["mapping.view_left_out"] = views;
+  if (const auto views = mapFeed_->viewsWithoutMasks(); views > 0) counts["mapping.view_without_masks"] = views;
+  return counts;
 }
 
 mapping::SemanticMap SlamSystem::semanticMap() const {

@@ -1,11 +1,15 @@
 #include "blob_codecs.h"
 
+#include <cmath>
+#include <string>
+
 #include "wardslam/odometry/orb_descriptor.h"
 
 namespace wardslam::storage {
 namespace {
 
 using core::Keypoint;
+using mapping::PointMemory;
 using mapping::SemanticPoint;
 using odometry::OrbDescriptor;
 
@@ -13,6 +17,7 @@ constexpr std::uint8_t kFeaturesVersion = 1;
 constexpr std::uint8_t kTileVersion = 1;
 constexpr std::uint8_t kCellsVersion = 1;
 constexpr std::uint8_t kFanVersion = 1;
+constexpr std::uint8_t kTileMemoryVersion = 1;
 
 /// Hands every field of a record, in the order of the layout, to `column`.
 template <class Column>
@@ -43,6 +48,27 @@ void forEachColumn(std::vector<SemanticPoint>& points, const Column& column) {
 constexpr std::size_t kPointSize = 3 * sizeof(float) + 4 + sizeof(mapping::ObjectId) + sizeof(std::uint16_t);
 
 template <class Column>
+void forEachColumn(std::vector<PointMemory>& points, const Column& column) {
+  for (const Eigen::Index axis : {0, 1, 2}) {
+    column(points, [axis](PointMemory& p) -> float& { return p.p_cam_m[axis]; });
+  }
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    column(points, [i](PointMemory& p) -> std::uint8_t& { return p.color_rgb[i]; });
+  }
+  column(points, [](PointMemory& p) -> float& { return p.precision_m2; });
+  column(points, [](PointMemory& p) -> float& { return p.sigma_m; });
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    column(points, [i](PointMemory& p) -> mapping::ObjectId& { return p.votes[i].object; });
+    column(points, [i](PointMemory& p) -> float& { return p.votes[i].weight; });
+  }
+  column(points, [](PointMemory& p) -> mapping::ObjectId& { return p.object; });
+  column(points, [](PointMemory& p) -> std::uint16_t& { return p.sightings; });
+  column(points, [](PointMemory& p) -> std::int8_t& { return p.evidence; });
+}
+constexpr std::size_t kPointMemorySize =
+    8 * sizeof(float) + 3 + 4 * sizeof(mapping::ObjectId) + sizeof(std::uint16_t) + sizeof(std::int8_t);
+
+template <class Column>
 void forEachColumn(std::vector<Eigen::Vector3f>& points, const Column& column) {
   for (const Eigen::Index axis : {0, 1, 2}) {
     column(points, [axis](Eigen::Vector3f& p) -> float& { return p[axis]; });
@@ -63,6 +89,35 @@ void getColumns(core::ByteReader& in, std::vector<Record>& records) {
   });
 }
 
+/// What a lens, a sensor and a room have room in: anything else is damage, and would be worked with for long.
+constexpr float kFarthest_px = 1e6F;
+constexpr float kFarthest_m = 1e4F;
+constexpr float kLargestScale = 1e4F;
+
+void require(bool isPossible, const char* what) {
+  if (!isPossible) throw core::BlobError(std::string("it holds ") + what + " that is impossible");
+}
+
+void requirePossible(const core::Keypoint& k) {
+  for (const float px : {k.raw_px.x, k.raw_px.y, k.undistorted_px.x, k.undistorted_px.y}) {
+    require(std::abs(px) <= kFarthest_px, "a key point");
+  }
+  require(k.depth_m >= 0 && k.depth_m <= kFarthest_m, "a depth");
+  require(std::isfinite(k.angle_rad) && std::isfinite(k.response), "an angle");
+  require(k.scale > 0 && k.scale <= kLargestScale, "a scale");
+}
+
+void requirePossible(const Eigen::Vector3f& p_cam_m) {
+  require(p_cam_m.cwiseAbs().maxCoeff() <= kFarthest_m && p_cam_m.allFinite(), "a point");
+}
+
+void requirePossible(const PointMemory& point) {
+  requirePossible(point.p_cam_m);
+  require(point.precision_m2 >= 0 && std::isfinite(point.precision_m2), "a precision");
+  require(point.sigma_m >= 0 && std::isfinite(point.sigma_m), "a noise");
+  for (const auto& vote : point.votes) require(vote.weight >= 0 && std::isfinite(vote.weight), "a vote");
+}
+
 }  // namespace
 
 core::Bytes encodeFeatures(const core::Features& features) {
@@ -81,6 +136,7 @@ core::Features decodeFeatures(const core::Bytes& blob) {
   core::Features features;
   features.keypoints.resize(in.getCount(kKeypointSize));
   getColumns(in, features.keypoints);
+  for (const auto& keypoint : features.keypoints) requirePossible(keypoint);
   features.descriptors.create(static_cast<int>(features.size()), sizeof(OrbDescriptor), CV_8UC1);
   in.getBytes(features.descriptors.data, features.descriptors.total());
   return features;
@@ -99,6 +155,23 @@ mapping::SemanticCloudTile decodeTile(const core::Bytes& blob) {
   mapping::SemanticCloudTile tile;
   tile.points.resize(in.getCount(kPointSize));
   getColumns(in, tile.points);
+  for (const auto& point : tile.points) requirePossible(point.p_cam_m);
+  return tile;
+}
+
+core::Bytes encodeTileMemory(const mapping::TileMemory& tile) {
+  core::ByteWriter out;
+  out.put(static_cast<std::uint32_t>(tile.size()));
+  putColumns(out, tile);
+  return core::pack(core::BlobKind::TileMemory, kTileMemoryVersion, out.bytes());
+}
+
+mapping::TileMemory decodeTileMemory(const core::Bytes& blob) {
+  const core::Bytes content = core::unpack(core::BlobKind::TileMemory, kTileMemoryVersion, blob);
+  core::ByteReader in(content);
+  mapping::TileMemory tile(in.getCount(kPointMemorySize));
+  getColumns(in, tile);
+  for (const auto& point : tile) requirePossible(point);
   return tile;
 }
 
@@ -114,6 +187,7 @@ std::vector<Eigen::Vector3f> decodeFan(const core::Bytes& blob) {
   core::ByteReader in(content);
   std::vector<Eigen::Vector3f> fan_cam_m(in.getCount(3 * sizeof(float)));
   getColumns(in, fan_cam_m);
+  for (const auto& end : fan_cam_m) requirePossible(end);
   return fan_cam_m;
 }
 

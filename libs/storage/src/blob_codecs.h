@@ -6,6 +6,7 @@
 
 #include "wardslam/core/blob.h"
 #include "wardslam/core/keypoint.h"
+#include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/semantic_cloud_tile.h"
 
 /// What the blobs hold; docs/file_formats.md has the layouts. Values are kept column by column (all x, then all y, …),
@@ -17,6 +18,9 @@ namespace wardslam::storage {
 
 [[nodiscard]] core::Bytes encodeTile(const mapping::SemanticCloudTile& tile);
 [[nodiscard]] mapping::SemanticCloudTile decodeTile(const core::Bytes& blob);
+
+[[nodiscard]] core::Bytes encodeTileMemory(const mapping::TileMemory& tile);
+[[nodiscard]] mapping::TileMemory decodeTileMemory(const core::Bytes& blob);
 
 /// Points in a camera frame (m).
 [[nodiscard]] core::Bytes encodeFan(const std::vector<Eigen::Vector3f>& fan_cam_m);

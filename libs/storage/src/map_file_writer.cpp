@@ -9,6 +9,11 @@
 namespace wardslam::storage {
 namespace {
 
+/// How long to wait for another program. While the camera moves, tracking may wait for this, and what is new can be
+/// written with the next keyframe as well.
+constexpr int kPatienceMeanwhile_ms = 200;
+constexpr int kPatienceInTheEnd_ms = 2000;
+
 void merge(mapping::MapParts& into, const mapping::MapParts& parts) {
   into.keyframes.insert(parts.keyframes.begin(), parts.keyframes.end());
   into.tiles.insert(parts.tiles.begin(), parts.tiles.end());
@@ -42,11 +47,17 @@ GraphContent contentOf(const graph::KeyframeGraph& graph, const std::set<odometr
 
 }  // namespace
 
-MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader& header)
-    : file_(MapFile::create(file, header)) {}
+MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader& header) {
+  if (!std::filesystem::exists(file)) {
+    file_ = MapFile::create(file, header);
+    return;
+  }
+  MapFile::requireThatOneCanBeMade(file);
+  successor_ = Successor{file, header};
+}
 
-MapFileWriter::MapFileWriter(MapFile file) : file_(std::move(file)) {
-  for (const auto& [id, keyframe] : file_.read(CloudPart::LeaveOut).keyframes) written_.insert(id);
+MapFileWriter::MapFileWriter(MapFile file) : file_(std::move(file)), goesOn_(true) {
+  for (const auto& [id, keyframe] : file_->read(CloudPart::LeaveOut).keyframes) written_.insert(id);
 }
 
 void MapFileWriter::add(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
@@ -67,8 +78,15 @@ void MapFileWriter::apply(const odometry::MapUpdate& update) {
 
 MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
   merge(unwritten_, builder.takeChanges());
-  MapChanges changes = changesOf(builder.map(unwritten_), unwritten_);
-  if (!written_.empty()) changes.zones.reset();  // they do not change
+  const mapping::SemanticMap map = builder.map(unwritten_);
+  MapChanges changes = changesOf(map, unwritten_);
+  changedTiles_.insert(unwritten_.tiles.begin(), unwritten_.tiles.end());
+  if (hasBegun_) {
+    changes.zones.reset();  // they do not change
+  } else if (goesOn_) {
+    changes.labels = map.labels;
+    changes.outdatesFloorPlan = true;
+  }
   changes.p_map_m = pending_.p_map_m;
   changes.fusedPoints = pending_.fusedPoints;
   changes.removedPoints = pending_.removedPoints;
@@ -79,8 +97,20 @@ MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
   return changes;
 }
 
-void MapFileWriter::commit(const MapChanges& changes) {
-  file_.write(changes);
+void MapFileWriter::put(const MapChanges& changes, int patience_ms) {
+  if (successor_) {
+    if (changes.keyframes.empty()) return;
+    file_ = MapFile::create(successor_->file, successor_->header, changes);
+    successor_.reset();
+  } else {
+    file_->write(changes, patience_ms);
+  }
+  forgetWritten(changes);
+}
+
+void MapFileWriter::forgetWritten(const MapChanges& changes) {
+  isFailing_ = false;
+  hasBegun_ = true;
   for (const auto& [id, keyframe] : changes.keyframes) written_.insert(id);
   for (const auto id : changes.removedKeyframes) written_.erase(id);
   unwritten_ = {};
@@ -92,12 +122,17 @@ void MapFileWriter::commit(const MapChanges& changes) {
   pending_.views = std::move(waiting);
 }
 
+void MapFileWriter::fail(const core::InputError& error) {
+  ++failedWrites_;
+  if (!std::exchange(isFailing_, true)) warn_(std::string(error.what()) + " (what is new is kept and tried again)");
+}
+
 void MapFileWriter::write(mapping::MapBuilder& builder) {
   const MapChanges changes = takeFrom(builder);
   try {
-    commit(changes);
-  } catch (const core::InputError&) {
-    // Nothing was written and nothing is forgotten; finish() tells if it stays so.
+    put(changes, kPatienceMeanwhile_ms);
+  } catch (const core::InputError& error) {
+    fail(error);
   }
 }
 
@@ -105,16 +140,23 @@ void MapFileWriter::finish(mapping::MapBuilder& builder, const graph::Mapper& ma
   auto floorPlan = builder.map().floorPlan;  // first: the builder describes all objects anew
   MapChanges changes = takeFrom(builder);
   changes.floorPlan = std::move(floorPlan);
+  changes.memory = builder.memory(changedTiles_);
   auto keyframes = written_;
   for (const auto& [id, keyframe] : changes.keyframes) keyframes.insert(id);
   for (const auto id : changes.removedKeyframes) keyframes.erase(id);
   changes.graph = contentOf(mapper.graph(), keyframes);
   for (const auto& loop : mapper.loops()) {
     if (keyframes.count(loop.older) > 0 && keyframes.count(loop.newer) > 0) {
-      changes.loops.push_back({loop.older, loop.newer, loop.T_older_newer});
+      changes.loops.push_back({loop.older, loop.newer, loop.T_older_newer, loop.inliers});
     }
   }
-  commit(changes);
+  try {
+    put(changes, kPatienceInTheEnd_ms);
+  } catch (const MapInUse& error) {
+    fail(error);
+    file_->writeBeside(changes);
+    forgetWritten(changes);
+  }
 }
 
 }  // namespace wardslam::storage

@@ -10,6 +10,13 @@
 namespace wardslam::storage {
 namespace {
 
+// What any camera and any floor plan has room in.
+constexpr int kWidest_px = 20000;
+constexpr double kLongestFocus_px = 1e6;
+constexpr double kStrongestLens = 1e4;
+constexpr double kFinestPlan_m = 1e-3;
+constexpr double kCoarsestPlan_m = 100.0;
+
 /// Hands every row to `take`; trouble with a row is told with `what` it is and its first column.
 template <class Take>
 void forEachRow(SQLite::Database& database, const std::string& what, const char* sql, const Take& take) {
@@ -32,7 +39,7 @@ void readKeyframes(SQLite::Database& database, mapping::SemanticMap& map) {
              [&map](ColumnReader row) {
                odometry::KeyframeId id = 0;
                mapping::MappedKeyframe keyframe;
-               row >> id >> keyframe.stamp_s >> keyframe.T_map_cam >> keyframe.zone;
+               row >> id >> within(keyframe.stamp_s, 0.0, kLatest_s) >> keyframe.T_map_cam >> keyframe.zone;
                map.keyframes.emplace(id, keyframe);
              });
 }
@@ -62,9 +69,12 @@ mapping::MapObject objectOf(ColumnReader row) {
   mapping::MapObject object;
   std::string state;
   auto& [red, green, blue] = object.color_rgb;
-  row >> object.id >> object.classId >> object.probability >> object.centroid_m >> object.box_m.min() >>
-      object.box_m.max() >> object.orientedBox.T_map_box >> object.orientedBox.size_m >> red >> green >> blue >>
-      object.firstSeen_s >> object.lastSeen_s >> object.views >> object.zone >> state;
+  row >> object.id >> object.classId >> within(object.probability, 0.0, 1.0) >> object.centroid_m >>
+      object.box_m.min() >> object.box_m.max() >> object.orientedBox.T_map_box >> object.orientedBox.size_m >> red >>
+      green >> blue >> within(object.firstSeen_s, 0.0, kLatest_s) >> within(object.lastSeen_s, 0.0, kLatest_s) >>
+      object.views >> object.zone >> state;
+  if ((object.box_m.min().array() > object.box_m.max().array()).any()) throw core::BlobError("its box is inside out");
+  if ((object.orientedBox.size_m.array() < 0).any()) throw core::BlobError("its box has a negative size");
   object.state = objectState(state);
   return object;
 }
@@ -78,6 +88,18 @@ void readObjects(SQLite::Database& database, mapping::SemanticMap& map) {
              [&map](ColumnReader row) {
                const auto object = objectOf(row);
                map.objects.emplace(object.id, object);
+             });
+}
+
+void readHints(SQLite::Database& database, mapping::SemanticMap& map) {
+  forEachRow(database, "hint about object", "SELECT object, maybe_same_as, probability FROM object_hints",
+             [&map](ColumnReader row) {
+               mapping::ObjectId object = 0;
+               mapping::MaybeSame hint;
+               row >> object >> hint.id >> within(hint.probability, 0.0, 1.0);
+               const auto found = map.objects.find(object);
+               if (found == map.objects.end()) throw core::BlobError("that object is missing");
+               found->second.maybeSameAs = hint;
              });
 }
 
@@ -104,8 +126,8 @@ void readFloorPlan(SQLite::Database& database, mapping::SemanticMap& map) {
              [&map](ColumnReader row) {
                std::uint32_t id = 0;
                core::Bytes blob;
-               row >> id >> map.floorPlan.resolution_m >> map.floorPlan.origin_m >> blob;
-               if (map.floorPlan.resolution_m <= 0) throw core::BlobError("its resolution is not positive");
+               row >> id >> within(map.floorPlan.resolution_m, kFinestPlan_m, kCoarsestPlan_m);
+               row >> map.floorPlan.origin_m >> blob;
                map.floorPlan.cells = decodeCells(blob);
              });
 }
@@ -117,42 +139,122 @@ std::map<std::uint32_t, core::CameraModel> readCameras(SQLite::Database& databas
              [&cameras](ColumnReader row) {
                std::uint32_t id = 0;
                core::CameraModel c;
-               row >> id >> c.width_px >> c.height_px >> c.fx_px >> c.fy_px >> c.cx_px >> c.cy_px;
-               row >> c.k1 >> c.k2 >> c.p1 >> c.p2 >> c.k3;
+               row >> id >> within(c.width_px, 1, kWidest_px) >> within(c.height_px, 1, kWidest_px);
+               for (double* focus_px : {&c.fx_px, &c.fy_px}) row >> within(*focus_px, 1.0, kLongestFocus_px);
+               for (double* centre_px : {&c.cx_px, &c.cy_px}) {
+                 row >> within(*centre_px, -kLongestFocus_px, kLongestFocus_px);
+               }
+               for (double* k : {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3}) row >> within(*k, -kStrongestLens, kStrongestLens);
                cameras.emplace(id, c);
              });
   return cameras;
+}
+
+/// A Kinect's where the map says nothing.
+void readDepthNoises(SQLite::Database& database, std::map<odometry::KeyframeId, odometry::Keyframe>& views) {
+  forEachRow(database, "depth noise of keyframe", "SELECT keyframe, least_m, growth_per_m, from_m FROM depth_noises",
+             [&views](ColumnReader row) {
+               odometry::KeyframeId keyframe = 0;
+               core::DepthNoise noise;
+               row >> keyframe >> within(noise.least_m, 1e-6, 10.0) >> within(noise.growth_per_m, 0.0, 10.0) >>
+                   within(noise.from_m, 0.0, 100.0);
+               const auto view = views.find(keyframe);
+               if (view == views.end()) throw core::BlobError("that keyframe has no features");
+               view->second.camera.depthNoise = noise;
+             });
 }
 
 std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQLite::Database& database) {
   const auto cameras = readCameras(database);
   std::map<odometry::KeyframeId, odometry::Keyframe> views;
   forEachRow(database, "features of keyframe",
-             "SELECT id, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, camera, features "
+             "SELECT id, stretch, stamp_s, x_m, y_m, z_m, qx, qy, qz, qw, camera, features "
              "FROM keyframes JOIN views ON keyframe = id",
              [&](ColumnReader row) {
                odometry::Keyframe view;
                std::uint32_t camera = 0;
                core::Bytes blob;
-               row >> view.id >> view.stamp_s >> view.T_map_cam >> camera >> blob;
+               row >> view.id >> view.submap >> within(view.stamp_s, 0.0, kLatest_s) >> view.T_map_cam >> camera >>
+                   blob;
                if (cameras.count(camera) == 0) throw core::BlobError("its camera is missing");
                view.camera = cameras.at(camera);
                view.features = decodeFeatures(blob);
                views.emplace(view.id, std::move(view));
              });
+  readDepthNoises(database, views);
   return views;
 }
 
 std::vector<LoopEdge> readEdges(SQLite::Database& database, const std::string& kind) {
   std::vector<LoopEdge> edges;
-  const std::string sql = "SELECT from_keyframe, to_keyframe, x_m, y_m, z_m, qx, qy, qz, qw FROM edges WHERE kind = '" +
-                          kind + "' ORDER BY to_keyframe, from_keyframe";
+  const std::string sql =
+      "SELECT from_keyframe, to_keyframe, x_m, y_m, z_m, qx, qy, qz, qw, inliers FROM edges WHERE kind = '" + kind +
+      "' ORDER BY to_keyframe, from_keyframe";
   forEachRow(database, kind + " edge from keyframe", sql.c_str(), [&edges](ColumnReader row) {
     LoopEdge edge;
-    row >> edge.from >> edge.to >> edge.T_from_to;
+    row >> edge.from >> edge.to >> edge.T_from_to >> edge.inliers;
     edges.push_back(edge);
   });
   return edges;
+}
+
+mapping::ObjectId nextObjectId(SQLite::Database& database) {
+  mapping::ObjectId next = 1;
+  forEachRow(database, "property", "SELECT 'next_object_id', value FROM properties WHERE name = 'next_object_id'",
+             [&next](ColumnReader row) {
+               std::string name;
+               row >> name >> next;
+             });
+  return next;
+}
+
+void readTileMemories(SQLite::Database& database, mapping::MapMemory& memory) {
+  forEachRow(database, "memory of the tile of keyframe", "SELECT keyframe, points FROM tile_memories ORDER BY keyframe",
+             [&memory](ColumnReader row) {
+               odometry::KeyframeId keyframe = 0;
+               core::Bytes blob;
+               row >> keyframe >> blob;
+               memory.tiles.emplace(keyframe, decodeTileMemory(blob));
+             });
+}
+
+void readObjectMemories(SQLite::Database& database, mapping::MapMemory& memory) {
+  forEachRow(
+      database, "memory of object",
+      "SELECT object, views, expected, missed, first_seen_s, last_seen_s, last_x_m, last_y_m, last_z_m, handled_s, "
+      "views_to_rest, erased, gone_s, place_was_empty, state FROM object_memories ORDER BY object",
+      [&memory](ColumnReader row) {
+        mapping::ObjectId id = 0;
+        mapping::ObjectMemory object;
+        Eigen::Vector3d place_m;
+        std::uint64_t erased = 0;
+        std::uint8_t wasEmpty = 0;
+        std::string state;
+        row >> id >> object.views >> object.expected >> object.missed >> object.firstSeen_s >> object.lastSeen_s >>
+            place_m >> object.handled_s >> object.viewsToRest >> erased >> object.gone_s >> wasEmpty >> state;
+        object.lastPlace_m = place_m.cast<float>();
+        object.erased = static_cast<std::size_t>(erased);
+        object.placeWasEmpty = wasEmpty != 0;
+        object.state = objectState(state);
+        memory.objects.emplace(id, object);
+      });
+  forEachRow(database, "votes for object", "SELECT object, class_id, confidence FROM object_votes",
+             [&memory](ColumnReader row) {
+               mapping::ObjectId id = 0;
+               core::ClassId classId = 0;
+               double confidence = 0.0;
+               row >> id >> classId >> within(confidence, 0.0, 1e12);
+               const auto object = memory.objects.find(id);
+               if (object == memory.objects.end()) throw core::BlobError("nothing else is remembered of it");
+               object->second.votes[classId] = confidence;
+             });
+  forEachRow(database, "pair of object", "SELECT object, other, together, apart FROM object_pairs",
+             [&memory](ColumnReader row) {
+               std::pair<mapping::ObjectId, mapping::ObjectId> ids;
+               mapping::PairMemory pair;
+               row >> ids.first >> ids.second >> pair.together >> pair.apart;
+               memory.pairs.emplace(ids, pair);
+             });
 }
 
 }  // namespace
@@ -194,9 +296,18 @@ mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud) {
   readFreeFans(database, map);
   if (cloud == CloudPart::Include) readCloud(database, map);
   readObjects(database, map);
+  readHints(database, map);
+  map.nextObjectId = nextObjectId(database);
   readZones(database, map);
   readFloorPlan(database, map);
   return map;
+}
+
+mapping::MapMemory readMemory(SQLite::Database& database) {
+  mapping::MapMemory memory;
+  readTileMemories(database, memory);
+  readObjectMemories(database, memory);
+  return memory;
 }
 
 std::vector<odometry::Keyframe> readViews(SQLite::Database& database) {

@@ -10,6 +10,7 @@ namespace wardslam::storage {
 [[nodiscard]] MapFileInfo readInfo(SQLite::Database& database);
 [[nodiscard]] MapHeader readHeader(SQLite::Database& database);
 [[nodiscard]] mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud);
+[[nodiscard]] mapping::MapMemory readMemory(SQLite::Database& database);
 [[nodiscard]] std::vector<odometry::Keyframe> readViews(SQLite::Database& database);
 [[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints(SQLite::Database& database);
 [[nodiscard]] std::vector<LoopEdge> readLoops(SQLite::Database& database);

@@ -63,8 +63,31 @@ CREATE TABLE floor_plan (
   origin_x_m REAL NOT NULL, origin_y_m REAL NOT NULL, cells BLOB NOT NULL);
 )sql";
 
+/// What a run that goes on must know besides what the map shows.
+constexpr const char* kVersion2 = R"sql(
+ALTER TABLE edges ADD COLUMN inliers INTEGER NOT NULL DEFAULT 30;
+CREATE TABLE depth_noises (
+  keyframe INTEGER PRIMARY KEY REFERENCES views,
+  least_m REAL NOT NULL, growth_per_m REAL NOT NULL, from_m REAL NOT NULL);
+CREATE TABLE object_hints (
+  object INTEGER PRIMARY KEY, maybe_same_as INTEGER NOT NULL, probability REAL NOT NULL);
+CREATE TABLE tile_memories (keyframe INTEGER PRIMARY KEY REFERENCES keyframes, points BLOB NOT NULL);
+CREATE TABLE object_memories (
+  object INTEGER PRIMARY KEY, views INTEGER NOT NULL, expected INTEGER NOT NULL, missed INTEGER NOT NULL,
+  first_seen_s REAL NOT NULL, last_seen_s REAL NOT NULL,
+  last_x_m REAL NOT NULL, last_y_m REAL NOT NULL, last_z_m REAL NOT NULL,
+  handled_s REAL NOT NULL, views_to_rest INTEGER NOT NULL, erased INTEGER NOT NULL, gone_s REAL NOT NULL,
+  place_was_empty INTEGER NOT NULL, state TEXT NOT NULL CHECK (state IN ('static', 'moved', 'gone')));
+CREATE TABLE object_votes (
+  object INTEGER NOT NULL, class_id INTEGER NOT NULL, confidence REAL NOT NULL,
+  PRIMARY KEY (object, class_id)) WITHOUT ROWID;
+CREATE TABLE object_pairs (
+  object INTEGER NOT NULL, other INTEGER NOT NULL, together INTEGER NOT NULL, apart INTEGER NOT NULL,
+  PRIMARY KEY (object, other)) WITHOUT ROWID;
+)sql";
+
 /// The step at [i] leads from version i to i + 1.
-constexpr std::array<const char*, 1> kSteps = {kVersion1};
+constexpr std::array<const char*, 2> kSteps = {kVersion1, kVersion2};
 
 }  // namespace
 

@@ -92,8 +92,8 @@ class SightingWriter {
 };
 
 void writeEdge(SQLite::Database& database, const char* kind, const LoopEdge& edge) {
-  SQLite::Statement insert(database, "INSERT OR REPLACE INTO edges VALUES (?, ?,?, ?,?,?, ?,?,?,?)");
-  (ParameterBinder(insert) << kind << edge.from << edge.to << edge.T_from_to).run();
+  SQLite::Statement insert(database, "INSERT OR REPLACE INTO edges VALUES (?, ?,?, ?,?,?, ?,?,?,?, ?)");
+  (ParameterBinder(insert) << kind << edge.from << edge.to << edge.T_from_to << edge.inliers).run();
 }
 
 bool isKnown(SQLite::Database& database, odometry::KeyframeId keyframe, std::uint32_t stretch) {
@@ -112,10 +112,13 @@ Eigen::Isometry3d poseOf(SQLite::Database& database, odometry::KeyframeId keyfra
 
 void writeViews(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement insert(database, "INSERT INTO views VALUES (?,?,?,?)");
+  SQLite::Statement noiseRow(database, "INSERT INTO depth_noises VALUES (?,?,?,?)");
   SightingWriter sightings(database);
   for (const auto& view : changes.views) {
     const auto camera = static_cast<std::uint64_t>(cameraId(database, view->camera));
     (ParameterBinder(insert) << view->id << view->submap << camera << encodeFeatures(view->features)).run();
+    const core::DepthNoise& noise = view->camera.depthNoise;
+    (ParameterBinder(noiseRow) << view->id << noise.least_m << noise.growth_per_m << noise.from_m).run();
     const Eigen::Isometry3d T_map_cam = poseOf(database, view->id);
     for (const auto& sighting : view->sightings) sightings.write(*view, T_map_cam, sighting);
     if (isKnown(database, view->id - 1, view->submap)) {
@@ -184,9 +187,11 @@ void removeKeyframes(SQLite::Database& database, const MapChanges& changes) {
       "(SELECT 1 FROM sightings s WHERE s.point = points.id AND s.keyframe <> ?1)",
       "DELETE FROM sightings WHERE keyframe = ?1",
       "DELETE FROM edges WHERE from_keyframe = ?1 OR to_keyframe = ?1",
+      "DELETE FROM depth_noises WHERE keyframe = ?1",
       "DELETE FROM views WHERE keyframe = ?1",
       "DELETE FROM free_fans WHERE keyframe = ?1",
       "DELETE FROM cloud_tiles WHERE keyframe = ?1",
+      "DELETE FROM tile_memories WHERE keyframe = ?1",
       "DELETE FROM keyframes WHERE id = ?1"};
   database.exec("PRAGMA defer_foreign_keys = ON");  // until the transaction ends
   for (const auto removed : changes.removedKeyframes) {
@@ -199,7 +204,7 @@ void removeKeyframes(SQLite::Database& database, const MapChanges& changes) {
 }
 
 void replaceGraph(SQLite::Database& database, const GraphContent& graph) {
-  database.exec("DELETE FROM sightings; DELETE FROM points");
+  database.exec("DELETE FROM sightings; DELETE FROM points; DELETE FROM edges WHERE kind = 'loop'");
   SQLite::Statement pointRow(database, "INSERT INTO points VALUES (?, ?,?,?)");
   for (const auto& [point, p_map_m] : graph.p_map_m) (ParameterBinder(pointRow) << point << p_map_m).run();
   SQLite::Statement sightingRow(database, "INSERT INTO sightings VALUES (?,?,?)");
@@ -213,7 +218,9 @@ void replaceGraph(SQLite::Database& database, const GraphContent& graph) {
 void writeCloud(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement replace(database, "INSERT OR REPLACE INTO cloud_tiles VALUES (?,?,?)");
   SQLite::Statement remove(database, "DELETE FROM cloud_tiles WHERE keyframe = ?");
+  SQLite::Statement forget(database, "DELETE FROM tile_memories WHERE keyframe = ?");
   for (const auto& [keyframe, tile] : changes.cloud) {
+    (ParameterBinder(forget) << keyframe).run();  // what is remembered is of the tile as it was
     if (tile.points.empty()) {
       (ParameterBinder(remove) << keyframe).run();
     } else {
@@ -225,9 +232,11 @@ void writeCloud(SQLite::Database& database, const MapChanges& changes) {
 void removeObjects(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement object(database, "DELETE FROM objects WHERE id = ?");
   SQLite::Statement box(database, "DELETE FROM object_boxes WHERE id = ?");
+  SQLite::Statement hint(database, "DELETE FROM object_hints WHERE object = ?");
   for (const auto id : changes.removedObjects) {
     (ParameterBinder(object) << id).run();
     (ParameterBinder(box) << id).run();
+    (ParameterBinder(hint) << id).run();
   }
 }
 
@@ -236,6 +245,8 @@ void writeObjects(SQLite::Database& database, const MapChanges& changes) {
                         "INSERT OR REPLACE INTO objects VALUES (?,?,?, ?,?,?, ?,?,?, ?,?,?, ?,?,?, ?,?,?,?, ?,?,?, "
                         "?,?,?, ?,?,?, ?,?)");
   SQLite::Statement boxRow(database, "INSERT OR REPLACE INTO object_boxes VALUES (?, ?,?, ?,?, ?,?)");
+  SQLite::Statement noHint(database, "DELETE FROM object_hints WHERE object = ?");
+  SQLite::Statement hintRow(database, "INSERT INTO object_hints VALUES (?,?,?)");
   for (const auto& object : changes.objects) {
     const auto& [red, green, blue] = object.color_rgb;
     const Eigen::Vector3d& min = object.box_m.min();
@@ -248,6 +259,46 @@ void writeObjects(SQLite::Database& database, const MapChanges& changes) {
     ParameterBinder box(boxRow);
     box << object.id << min.x() << max.x() << min.y() << max.y() << min.z() << max.z();
     box.run();
+    (ParameterBinder(noHint) << object.id).run();
+    if (!object.maybeSameAs) continue;
+    (ParameterBinder(hintRow) << object.id << object.maybeSameAs->id << object.maybeSameAs->probability).run();
+  }
+}
+
+/// All that is remembered of objects is replaced; tiles that are not named are as they were.
+void writeMemory(SQLite::Database& database, const mapping::MapMemory& memory) {
+  SQLite::Statement tileRow(database, "INSERT OR REPLACE INTO tile_memories VALUES (?,?)");
+  for (const auto& [id, tile] : memory.tiles) (ParameterBinder(tileRow) << id << encodeTileMemory(tile)).run();
+  database.exec("DELETE FROM object_memories; DELETE FROM object_votes; DELETE FROM object_pairs");
+  SQLite::Statement objectRow(database, "INSERT INTO object_memories VALUES (?,?,?,?, ?,?, ?,?,?, ?,?,?,?, ?,?)");
+  SQLite::Statement voteRow(database, "INSERT INTO object_votes VALUES (?,?,?)");
+  for (const auto& [id, object] : memory.objects) {
+    ParameterBinder values(objectRow);
+    values << id << object.views << object.expected << object.missed << object.firstSeen_s << object.lastSeen_s;
+    values << Eigen::Vector3d(object.lastPlace_m.cast<double>()) << object.handled_s << object.viewsToRest;
+    values << std::uint64_t{object.erased} << object.gone_s << int{object.placeWasEmpty} << toString(object.state);
+    values.run();
+    for (const auto& [classId, confidence] : object.votes) {
+      (ParameterBinder(voteRow) << id << int{classId} << confidence).run();
+    }
+  }
+  SQLite::Statement pairRow(database, "INSERT INTO object_pairs VALUES (?,?,?,?)");
+  for (const auto& [ids, pair] : memory.pairs) {
+    (ParameterBinder(pairRow) << ids.first << ids.second << pair.together << pair.apart).run();
+  }
+}
+
+/// Besides those there are; a name or a number that nothing is called by gives way.
+void writeLabels(SQLite::Database& database, const core::LabelSpace& labels) {
+  SQLite::Statement makeWay(database,
+                            "DELETE FROM labels WHERE (class_id = ?1) <> (name = ?2) "
+                            "AND class_id NOT IN (SELECT class_id FROM objects)");
+  SQLite::Statement label(database, "INSERT OR IGNORE INTO labels VALUES (?,?)");
+  for (int id = 0; id <= UINT8_MAX; ++id) {
+    const std::string& name = labels.name(static_cast<core::ClassId>(id));
+    if (name.empty()) continue;
+    (ParameterBinder(makeWay) << id << name).run();
+    (ParameterBinder(label) << id << name).run();
   }
 }
 
@@ -273,11 +324,7 @@ void writeFloorPlan(SQLite::Database& database, const mapping::FloorPlan& plan) 
 void writeHeader(SQLite::Database& database, const MapHeader& header) {
   SQLite::Statement property(database, "INSERT INTO properties VALUES (?,?)");
   (ParameterBinder(property) << "options" << header.options).run();
-  SQLite::Statement label(database, "INSERT INTO labels VALUES (?,?)");
-  for (int id = 0; id <= UINT8_MAX; ++id) {
-    const std::string& name = header.labels.name(static_cast<core::ClassId>(id));
-    if (!name.empty()) (ParameterBinder(label) << id << name).run();
-  }
+  writeLabels(database, header.labels);
 }
 
 void writeChanges(SQLite::Database& database, const MapChanges& changes) {
@@ -291,7 +338,16 @@ void writeChanges(SQLite::Database& database, const MapChanges& changes) {
   writeCloud(database, changes);
   removeObjects(database, changes);
   writeObjects(database, changes);
+  if (changes.labels) writeLabels(database, *changes.labels);
   if (changes.zones) writeZones(database, *changes.zones);
+  if (changes.outdatesFloorPlan) database.exec("DELETE FROM floor_plan");
+  if (changes.memory) writeMemory(database, *changes.memory);
+  if (changes.nextObjectId != 0) {
+    SQLite::Statement property(database,
+                               "INSERT INTO properties VALUES ('next_object_id', ?) ON CONFLICT (name) DO "
+                               "UPDATE SET value = max(value, excluded.value)");
+    (ParameterBinder(property) << changes.nextObjectId).run();
+  }
   if (changes.floorPlan) writeFloorPlan(database, *changes.floorPlan);
 }
 

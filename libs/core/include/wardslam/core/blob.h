@@ -17,6 +17,7 @@ enum class BlobKind : std::uint8_t {
   CloudTile = 'C',
   FloorCells = 'G',
   FreeFan = 'S',
+  TileMemory = 'M',
   Observation = 'O'
 };
 

@@ -2,7 +2,14 @@
 
 #include <type_traits>
 
+#include "wardslam/core/mrpt_compat.h"
+
 namespace wardslam::core {
+
+/// Whether threads of one process may draw textures side by side, each in an OpenGL context of its own (2.5.8, Debian
+/// 12). MRPT 2.14.7 (Debian 13) keeps one list of textures for the whole process, by numbers that each context gives
+/// anew, and throws "Duplicated `key` with different `value`" when the second thread loads its first texture.
+constexpr bool kDrawsTexturesInSeveralContexts = MRPT_VERSION < WARDSLAM_MRPT_VERSION(2, 6, 0);
 
 /// White light that shines on all surfaces alike (`ambient`) and from where the light is (`diffuse`), 0..1; nothing
 /// gleams. Light: mrpt::opengl::TLightParameters, which holds a colour for each in MRPT 2.5 (Debian 12), one colour and

@@ -6,6 +6,7 @@
 
 #include "wardslam/core/label_space.h"
 #include "wardslam/knowledge/motion_rules.h"
+#include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/mapping_options.h"
 #include "wardslam/mapping/semantic_map.h"
 #include "wardslam/mapping/view.h"
@@ -29,6 +30,7 @@ struct MapSetting {
   core::LabelSpace labels = core::LabelSpace::coco();
   knowledge::ClassSet moving;  ///< Classes that move by themselves: they never enter the map.
   Zones zones;
+  knowledge::ClassSet movable{};  ///< Classes that somebody can move: only these may be found again elsewhere.
 };
 
 /// Builds the semantic map (P8–P10) from views and from what the keyframe graph finds out. Everything it holds hangs on
@@ -43,14 +45,16 @@ class MapBuilder {
   MapBuilder(MapBuilder&&) noexcept;
   MapBuilder& operator=(MapBuilder&&) noexcept;
 
-  /// Goes on with the map of an earlier run, which is submap 0 from now on. Before anything else.
-  void restore(const SemanticMap& earlier);
+  /// Goes on with the map of an earlier run, which is submap 0 from now on. Before anything else. What is read is told
+  /// again as it is, to the last digit, until somebody sees it or its keyframes move. Where the memory lacks something,
+  /// it is made up from what the map shows. Zones of an earlier run give way to those of this one.
+  void restore(const SemanticMap& earlier, const MapMemory& memory = {});
 
   /// Before the views that hang on it.
   void addKeyframe(const odometry::Keyframe& keyframe);
 
   /// Better poses of keyframes, keyframes that were removed, and submaps that were joined. Ids nobody added are left
-  /// out. What hung on a removed keyframe hangs on its heir.
+  /// out. Keyframes younger than the update move as its newest does. What hung on a removed keyframe hangs on its heir.
   void apply(const odometry::MapUpdate& update);
 
   /// Works an image in. One whose keyframe nobody added is left out.
@@ -61,6 +65,9 @@ class MapBuilder {
 
   /// Parts that are new, different or removed since the last call.
   [[nodiscard]] MapParts takeChanges();
+
+  /// All that is known of the objects of the map, and of these tiles, to be restored from.
+  [[nodiscard]] MapMemory memory(const std::set<odometry::KeyframeId>& tiles) const;
 
   /// The map with no more keyframes, tiles and objects than these; what is missing in it was removed.
   [[nodiscard]] SemanticMap map(const MapParts& parts);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "wardslam/mapping/semantic_cloud_tile.h"
@@ -23,6 +24,12 @@ struct OrientedBox {
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();             ///< Full lengths along the box's own axes.
 };
 
+/// A thing that was lost and may have been found in another record; which, nobody saw.
+struct MaybeSame {
+  ObjectId id = 0;           ///< The record of what was lost.
+  double probability = 0.0;  ///< 0..1
+};
+
 /// A row of the instance database (P9). Everything in the map frame.
 struct MapObject {
   ObjectId id = 0;
@@ -37,6 +44,7 @@ struct MapObject {
   int views = 0;     ///< Frames of the map that saw it.
   std::string zone;  ///< Innermost zone its centroid lies in; empty = none.
   ObjectState state = ObjectState::Static;
+  std::optional<MaybeSame> maybeSameAs;  ///< A hint; it never makes two records one.
 };
 
 }  // namespace wardslam::mapping

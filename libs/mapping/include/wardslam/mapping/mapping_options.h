@@ -46,6 +46,7 @@ struct ObjectOptions {
   int min_points = 8;
   double min_evidence = 2.0;
   double min_seen_fraction = 0.2;
+  double push_speed_mps = 1.5;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -59,6 +60,8 @@ struct ObjectOptions {
           "sum of the confidences of the detections that must have shown an object, of two frames at least");
     visit("min_seen_fraction", self.min_seen_fraction, {0.0, 1.0}, "",
           "of the frames that had an object in plain sight, those that must have seen it");
+    visit("push_speed_mps", self.push_speed_mps, {0.0, 10.0}, "m/s",
+          "a thing that somebody moved is not looked for farther off than it comes at this speed (1.5: a brisk walk)");
   }
 };
 

@@ -30,6 +30,7 @@ struct SemanticMap {
   std::map<std::uint64_t, MappedKeyframe> keyframes;  ///< By keyframe id.
   std::map<std::uint64_t, SemanticCloudTile> cloud;   ///< By the keyframe id a tile hangs on.
   std::map<ObjectId, MapObject> objects;
+  ObjectId nextObjectId = 1;  ///< No record had this number yet, nor any above.
   std::vector<Zone> zones;
   FloorPlan floorPlan;
 };

@@ -16,6 +16,7 @@ struct MaskFeedOptions {
   Mode mode = Mode::Wait;
   int latency_frames = 0;
   InstanceTrackerOptions tracker;
+  bool keepsIds = true;  ///< False: in Wait, without a bridge, ids are those of the segmenter. Not for the user to say.
 
   [[nodiscard]] bool isRepeatable() const { return mode == Mode::Wait || latency_frames > 0; }
 
@@ -34,7 +35,7 @@ struct MaskFeedOptions {
 ///  - Propagate: the segmenter works behind, on the newest image whenever it is free. Its newest masks are carried to
 ///    the frame (carryMasks). Only those of the first frame are waited for: a map begins with it.
 /// In both, instances keep their ids over time, and what the segmenter misses stays for a while
-/// (InstanceTracker; not with bridge_s = 0 in Wait).
+/// (InstanceTracker).
 class MaskFeed {
  public:
   virtual ~MaskFeed() = default;

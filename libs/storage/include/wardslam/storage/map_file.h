@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "wardslam/core/errors.h"
+#include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/semantic_map.h"
 #include "wardslam/odometry/keyframe.h"
 
@@ -20,6 +22,7 @@ struct LoopEdge {
   odometry::KeyframeId from = 0;
   odometry::KeyframeId to = 0;
   Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
+  int inliers = 30;  ///< Of a loop: points that agree with it.
 };
 
 /// Who saw which point, and where the points are.
@@ -36,13 +39,17 @@ struct MapChanges {
   std::map<odometry::PointId, odometry::PointId> fusedPoints;    ///< The first turned out to be the second.
   std::vector<odometry::PointId> removedPoints;
   std::vector<odometry::KeyframeId> removedKeyframes;  ///< With all that names them, and points nobody else saw.
-  std::optional<GraphContent> graph;                   ///< In place of all sightings and points there are.
+  std::optional<GraphContent> graph;                   ///< In place of all sightings, points and loops there are.
   std::vector<LoopEdge> loops;
   std::map<odometry::KeyframeId, mapping::SemanticCloudTile> cloud;  ///< A tile without points is removed.
   std::vector<mapping::MapObject> objects;
   std::vector<mapping::ObjectId> removedObjects;
   std::optional<std::vector<mapping::Zone>> zones;  ///< All of them.
   std::optional<mapping::FloorPlan> floorPlan;
+  bool outdatesFloorPlan = false;  ///< The one there is no more that of the map; drawn anew it may come with this.
+  std::optional<core::LabelSpace> labels;    ///< Names of classes, besides those there are.
+  std::optional<mapping::MapMemory> memory;  ///< All of the objects; of the tiles, those that changed.
+  mapping::ObjectId nextObjectId = 0;        ///< 0: as it was.
 };
 
 /// The whole of a semantic map, to be written into an empty file.
@@ -68,32 +75,59 @@ struct MapFileInfo {
   double lastStamp_s = 0.0;
 };
 
+/// Another program holds the map file.
+class MapInUse : public core::InputError {
+ public:
+  using core::InputError::InputError;
+};
+
 enum class MapAccess { Read, Write };
 enum class CloudPart { Include, LeaveOut };
 
 /// A map on disk, `*.wardmap`: one SQLite database (docs/file_formats.md). Every write() is one transaction: whatever
 /// happens to the process or the power, the file holds all of it or nothing. What read() gives is in the map frame.
 ///
-/// All members throw core::InputError with the file's name where it is damaged, cannot be written, or is in use.
+/// All members throw core::InputError with the file's name where it is damaged, cannot be written, or (MapInUse) is in
+/// use.
 class MapFile {
  public:
+  static constexpr int kPatience_ms = 5000;
+
   /// Makes an empty map, in place of a file that may be there.
   [[nodiscard]] static MapFile create(const std::filesystem::path& file, const MapHeader& header = {});
 
+  /// Makes a map that holds so much, in place of a file that may be there: whatever happens, that or the new one is.
+  [[nodiscard]] static MapFile create(const std::filesystem::path& file, const MapHeader& header,
+                                      const MapChanges& content);
+
+  /// Leaves a file that may be there alone. Throws core::InputError where create() would.
+  static void requireThatOneCanBeMade(const std::filesystem::path& file);
+
   /// Undoes what a killed process left half written. A file that an older version wrote is brought up to date.
   [[nodiscard]] static MapFile open(const std::filesystem::path& file, MapAccess access = MapAccess::Read);
+
+  /// The map as it is at this moment, in a file of its own, in place of one that may be there.
+  static void copy(const std::filesystem::path& from, const std::filesystem::path& to);
 
   ~MapFile();
   MapFile(MapFile&&) noexcept;
   MapFile& operator=(MapFile&&) noexcept;
 
-  void write(const MapChanges& changes);
+  /// `patience_ms`: how long to wait for other programs that hold the file.
+  void write(const MapChanges& changes, int patience_ms = kPatience_ms);
+
+  /// Writes into a copy and gives it the file's name: programs that read the file go on reading what they opened.
+  void writeBeside(const MapChanges& changes);
 
   [[nodiscard]] MapFileInfo info() const;
   [[nodiscard]] MapHeader header() const;
   [[nodiscard]] mapping::SemanticMap read(CloudPart cloud = CloudPart::Include) const;
 
-  /// What the keyframes saw, in order of their ids, all of submap 0; sightings name points of readPoints().
+  /// What is known besides, for MapBuilder::restore().
+  [[nodiscard]] mapping::MapMemory readMemory() const;
+
+  /// What the keyframes saw, in order of their ids; `submap` is the stretch of tracking they were made in, which no
+  /// other run shares. Sightings name points of readPoints().
   [[nodiscard]] std::vector<odometry::Keyframe> readViews() const;
   [[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints() const;  ///< p_map_m
   [[nodiscard]] std::vector<LoopEdge> readLoops() const;
@@ -104,6 +138,13 @@ class MapFile {
  private:
   struct Connection;
   explicit MapFile(std::unique_ptr<Connection> connection);
+
+  /// Null: an empty map.
+  [[nodiscard]] static MapFile createWith(const std::filesystem::path& file, const MapHeader& header,
+                                          const MapChanges* content);
+
+  /// Sightings under old ids may still come, also after the file was opened anew.
+  void remember(const std::map<odometry::PointId, odometry::PointId>& fusedPoints);
 
   std::unique_ptr<Connection> connection_;
 };
