@@ -21,6 +21,7 @@ def fields_of(package):
 def expected_files(programs):
     yield from ("usr/share/doc/wardslam/copyright", "usr/share/doc/wardslam/changelog.gz",
                 "usr/share/wardslam/config/wardslam.yaml", "usr/share/wardslam/models.yaml",
+                "usr/share/wardslam/networks/depth_hospital.onnx", "usr/share/wardslam/networks/depth_hospital.yaml",
                 "usr/lib/cmake/wardslam/wardslam-config.cmake", "usr/include/wardslam/pipeline/slam_system.h",
                 "usr/lib/wardslam/libwardslam-mrpt.so", "usr/share/bash-completion/completions/wardslam")
     for program in programs:

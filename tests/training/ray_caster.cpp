@@ -1,0 +1,2 @@
+// The ray caster as C++, as it is built where there is no GPU.
+#include "raycast.cu"
