@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "storage/stored_ward.h"
 #include "support/hand_made_map.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
@@ -16,6 +17,7 @@ namespace wardslam::storage {
 namespace {
 
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 class MapCheckTest : public testing::Test {
  protected:
@@ -75,6 +77,38 @@ TEST_F(MapCheckTest, WhatIsOutOfBoundsIsNotReadEither) {
   for (const char* sql : {"UPDATE cameras SET fx_px = 0", "UPDATE cameras SET width_px = -640"}) {
     const auto file = damagedWard(sql);
     EXPECT_THROW((void)file.readViews(), core::InputError) << sql;
+  }
+}
+
+using WholeWardCheckTest = StoredWard;
+
+TEST_F(WholeWardCheckTest, ASoundFileHasNothingToComplainAbout) {
+  writeWard();
+  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+}
+
+TEST_F(WholeWardCheckTest, FindsWhatDoesNotFitTogether) {
+  const std::vector<std::pair<std::string, std::string>> damages = {
+      {"DELETE FROM object_boxes WHERE id = 3", "missing in the index of boxes"},
+      {"UPDATE objects SET max_x_m = 99 WHERE id = 3", "missing in the index of boxes"},
+      {"INSERT INTO object_boxes VALUES (77, 0, 1, 0, 1, 0, 1)", "belong to no object"},
+      {"UPDATE objects SET zone = 'kitchen' WHERE id = 3", "zone that is not defined"},
+      {"UPDATE objects SET class_id = 200 WHERE id = 3", "class without a name"},
+      {"UPDATE objects SET class_id = 300 WHERE id = 3", "class_id is impossible"},
+      {"DELETE FROM objects WHERE id = 1; DELETE FROM object_boxes WHERE id = 1", "belong to a missing object"},
+      {"UPDATE sightings SET keypoint = 10 WHERE keyframe = 2 AND point = 23", "key point that is not there"},
+      {"PRAGMA foreign_keys = OFF; DELETE FROM cameras", "missing row of cameras"},
+      {"INSERT INTO points VALUES (555, 0, 0, 0)", "seen by no keyframe"},
+      {"UPDATE keyframes SET qx = 0, qy = 0, qz = 0, qw = 0 WHERE id = 2", "quaternion is zero"},
+      {"UPDATE keyframes SET x_m = 9e999 WHERE id = 2", "x_m is impossible"},
+      {"UPDATE cloud_tiles SET points = zeroblob(20) WHERE keyframe = 2", "cloud tile of keyframe 2"},
+      {"UPDATE views SET features = x'46' WHERE keyframe = 2", "features of keyframe 2"},
+      {"UPDATE free_fans SET points = x'5301' WHERE keyframe = 2", "free fan of keyframe 2"},
+      {"UPDATE floor_plan SET cells = x'4701ff'", "floor plan 1"}};
+  for (const auto& [sql, complaint] : damages) {
+    writeWard();
+    runSql(sql);
+    EXPECT_THAT(MapFile::open(path_).check(), testing::Contains(HasSubstr(complaint))) << sql;
   }
 }
 

@@ -14,6 +14,7 @@
 #include <random>
 #include <thread>
 
+#include "storage/stored_ward.h"
 #include "support/complaint.h"
 #include "support/hand_made_map.h"
 #include "support/temporary_folder.h"
@@ -28,26 +29,7 @@ using testing::IsEmpty;
 
 namespace fs = std::filesystem;
 
-class MapFileTest : public testing::Test {
- protected:
-  /// The hand-made ward with what its three keyframes saw.
-  MapFile writeWard() const {
-    MapFile file = MapFile::create(path_, {ward_.labels, "features:\n  key_points: 1000\n"});
-    MapChanges changes = everythingOf(ward_);
-    for (const auto& [id, keyframe] : ward_.keyframes) changes.views.push_back(test::makeView(id, ward_));
-    changes.loops = {{1, 3, Eigen::Isometry3d(Eigen::Translation3d(1, 2, 3))}};
-    file.write(changes);
-    return file;
-  }
-  void runSql(const std::string& sql) const { SQLite::Database(path_.string(), SQLite::OPEN_READWRITE).exec(sql); }
-  std::string openingError(MapAccess access = MapAccess::Read) const {
-    return test::complaintOf([&] { return MapFile::open(path_, access).read(); });
-  }
-
-  test::TemporaryFolder folder_;
-  fs::path path_ = folder_.path() / "ward.wardmap";
-  mapping::SemanticMap ward_ = test::makeWard();
-};
+using MapFileTest = StoredWard;
 
 void expectEqual(const mapping::MapObject& a, const mapping::MapObject& b) {
   EXPECT_EQ(a.id, b.id);
@@ -139,87 +121,6 @@ mapping::MapMemory makeMemory() {
   memory.objects[12].views = 1;
   memory.pairs[{1, 12}] = {3, 4};
   return memory;
-}
-
-TEST_F(MapFileTest, GivesBackWhatIsRemembered) {
-  writeWard();
-  MapChanges changes;
-  changes.memory = makeMemory();
-  changes.nextObjectId = 42;
-  MapFile::open(path_, MapAccess::Write).write(changes);
-  const auto memory = MapFile::open(path_).readMemory();
-  ASSERT_EQ(memory.tiles.size(), 1U);
-  ASSERT_EQ(memory.tiles.at(2).size(), 2U);
-  EXPECT_EQ(encodeTileMemory(memory.tiles.at(2)), encodeTileMemory(makeMemory().tiles.at(2)));
-  EXPECT_EQ(memory.tiles.at(2)[0].votes[2].weight, 0.25F);
-  ASSERT_EQ(memory.objects.size(), 2U);
-  const auto& object = memory.objects.at(1);
-  const auto expected = makeMemory().objects.at(1);
-  EXPECT_EQ(object.votes, expected.votes);
-  EXPECT_EQ(std::tie(object.views, object.expected, object.missed, object.firstSeen_s, object.lastSeen_s),
-            std::tie(expected.views, expected.expected, expected.missed, expected.firstSeen_s, expected.lastSeen_s));
-  EXPECT_EQ(object.lastPlace_m, expected.lastPlace_m);
-  EXPECT_EQ(
-      std::tie(object.handled_s, object.viewsToRest, object.erased, object.gone_s, object.placeWasEmpty),
-      std::tie(expected.handled_s, expected.viewsToRest, expected.erased, expected.gone_s, expected.placeWasEmpty));
-  EXPECT_EQ(object.state, expected.state);
-  EXPECT_EQ(memory.pairs.at({1, 12}).together, 3);
-  EXPECT_EQ(memory.pairs.at({1, 12}).apart, 4);
-  EXPECT_EQ(MapFile::open(path_).read().nextObjectId, 42U);
-  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
-}
-
-TEST_F(MapFileTest, ForgetsWhatItRememberedOfATileThatChanged) {
-  writeWard();
-  MapChanges changes;
-  changes.memory = makeMemory();
-  MapFile file = MapFile::open(path_, MapAccess::Write);
-  file.write(changes);
-  MapChanges later;
-  later.cloud[2] = ward_.cloud.at(2);
-  file.write(later);
-  EXPECT_TRUE(file.readMemory().tiles.empty());
-  EXPECT_EQ(file.readMemory().objects.size(), 2U);
-}
-
-TEST_F(MapFileTest, GivesBackHintsDepthNoiseAndHowSureLoopsAre) {
-  ward_.objects.at(2).maybeSameAs = mapping::MaybeSame{6, 0.25};
-  MapFile file = MapFile::create(path_, {ward_.labels, ""});
-  MapChanges changes = everythingOf(ward_);
-  const auto view = test::makeView(1, ward_);
-  view->camera.depthNoise = {0.01, 0.02, 0.5};  // not a Kinect's
-  view->submap = 3;
-  changes.views = {view, test::makeView(2, ward_)};
-  changes.loops = {{1, 2, Eigen::Isometry3d::Identity(), 77}};
-  file.write(changes);
-  ASSERT_TRUE(file.read().objects.at(2).maybeSameAs);
-  EXPECT_EQ(file.read().objects.at(2).maybeSameAs->id, 6U);
-  EXPECT_EQ(file.read().objects.at(2).maybeSameAs->probability, 0.25);
-  EXPECT_FALSE(file.read().objects.at(1).maybeSameAs);
-  EXPECT_EQ(file.readViews()[0].camera.depthNoise, (core::DepthNoise{0.01, 0.02, 0.5}));
-  EXPECT_EQ(file.readViews()[1].camera.depthNoise, core::DepthNoise{});
-  EXPECT_EQ(file.readFreeSubmap(), 4U);
-  EXPECT_EQ(file.readLoops().at(0).inliers, 77);
-}
-
-TEST_F(MapFileTest, BringsAFileOfTheFirstVersionUpToDate) {
-  writeWard();
-  for (const char* table :
-       {"depth_noises", "object_hints", "tile_memories", "object_memories", "object_votes", "object_pairs"}) {
-    runSql(std::string("DROP TABLE ") + table);
-  }
-  runSql(
-      "ALTER TABLE edges DROP COLUMN inliers; DROP VIEW map_piece; ALTER TABLE keyframes DROP COLUMN piece; "
-      "ALTER TABLE objects DROP COLUMN piece; PRAGMA user_version = 1");
-  const auto file = MapFile::open(path_);
-  EXPECT_THAT(file.check(), IsEmpty());
-  EXPECT_EQ(file.info().schemaVersion, 2);
-  EXPECT_EQ(file.info().pieces, 1U) << "what there was is one piece, and the map";
-  EXPECT_EQ(file.read().keyframes.size(), ward_.keyframes.size());
-  EXPECT_EQ(file.read().objects.size(), ward_.objects.size());
-  EXPECT_EQ(file.readLoops().at(0).inliers, 30);
-  EXPECT_TRUE(file.readMemory().objects.empty());
-  EXPECT_EQ(file.readViews().at(0).camera.depthNoise, core::DepthNoise{}) << "a Kinect's, as was taken for granted";
 }
 
 TEST_F(MapFileTest, PlacesPointsByTheDepthTheyWereSeenWith) {
@@ -385,12 +286,6 @@ TEST_F(MapFileTest, SaysInOneSentenceWhatIsNoMap) {
   EXPECT_THAT(openingError(), HasSubstr("is a database, but not a WardSLAM map"));
 }
 
-TEST_F(MapFileTest, SaysThatANewerVersionWroteIt) {
-  writeWard();
-  runSql("PRAGMA user_version = 3");
-  EXPECT_THAT(openingError(), HasSubstr("was written by a newer WardSLAM"));
-}
-
 TEST_F(MapFileTest, SaysThatItWasCutShort) {
   writeWard();
   fs::resize_file(path_, fs::file_size(path_) / 2);
@@ -403,36 +298,6 @@ TEST_F(MapFileTest, SaysThatItWasCutShort) {
 TEST_F(MapFileTest, SaysThatItCannotBeCreated) {
   EXPECT_THROW((void)MapFile::create(folder_.path() / "missing" / "ward.wardmap"), core::InputError);
   EXPECT_THROW((void)MapFile::create(folder_.path()), core::InputError);
-}
-
-TEST_F(MapFileTest, ASoundFileHasNothingToComplainAbout) {
-  writeWard();
-  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
-}
-
-TEST_F(MapFileTest, CheckFindsWhatDoesNotFitTogether) {
-  const std::vector<std::pair<std::string, std::string>> damages = {
-      {"DELETE FROM object_boxes WHERE id = 3", "missing in the index of boxes"},
-      {"UPDATE objects SET max_x_m = 99 WHERE id = 3", "missing in the index of boxes"},
-      {"INSERT INTO object_boxes VALUES (77, 0, 1, 0, 1, 0, 1)", "belong to no object"},
-      {"UPDATE objects SET zone = 'kitchen' WHERE id = 3", "zone that is not defined"},
-      {"UPDATE objects SET class_id = 200 WHERE id = 3", "class without a name"},
-      {"UPDATE objects SET class_id = 300 WHERE id = 3", "class_id is impossible"},
-      {"DELETE FROM objects WHERE id = 1; DELETE FROM object_boxes WHERE id = 1", "belong to a missing object"},
-      {"UPDATE sightings SET keypoint = 10 WHERE keyframe = 2 AND point = 23", "key point that is not there"},
-      {"PRAGMA foreign_keys = OFF; DELETE FROM cameras", "missing row of cameras"},
-      {"INSERT INTO points VALUES (555, 0, 0, 0)", "seen by no keyframe"},
-      {"UPDATE keyframes SET qx = 0, qy = 0, qz = 0, qw = 0 WHERE id = 2", "quaternion is zero"},
-      {"UPDATE keyframes SET x_m = 9e999 WHERE id = 2", "x_m is impossible"},
-      {"UPDATE cloud_tiles SET points = zeroblob(20) WHERE keyframe = 2", "cloud tile of keyframe 2"},
-      {"UPDATE views SET features = x'46' WHERE keyframe = 2", "features of keyframe 2"},
-      {"UPDATE free_fans SET points = x'5301' WHERE keyframe = 2", "free fan of keyframe 2"},
-      {"UPDATE floor_plan SET cells = x'4701ff'", "floor plan 1"}};
-  for (const auto& [sql, complaint] : damages) {
-    writeWard();
-    runSql(sql);
-    EXPECT_THAT(MapFile::open(path_).check(), testing::Contains(HasSubstr(complaint))) << sql;
-  }
 }
 
 /// Stands between SQLite and the file system, and notes of every file that is deleted whether its folder is synced.

@@ -5,8 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "object_database.h"
-#include "object_table.h"
+#include "map_part.h"
 #include "recognition.h"
 #include "same_things.h"
 #include "semantic_cloud.h"
@@ -23,23 +22,6 @@ constexpr float kUnclassifiedWeight = 0.25F;
 
 /// One record of two, when it is more probable than all else together.
 constexpr double kSurelyOne = 0.5;
-
-/// What pieces have each.
-struct Part {
-  explicit Part(const MappingOptions& options)
-      : cloud(options.cloud), objects(options.objects), table(options.objects) {}
-  SemanticCloud cloud;
-  ObjectDatabase objects;
-  ObjectTable table;
-  std::set<ObjectId> touched;  ///< To be described anew.
-};
-
-struct PlacedKeyframe {
-  std::uint32_t piece = 0;
-  double stamp_s = 0.0;
-  Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Vector3f> freeFan_cam_m;
-};
 
 }  // namespace
 

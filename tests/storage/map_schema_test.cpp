@@ -1,0 +1,44 @@
+#include "map_schema.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "storage/stored_ward.h"
+
+namespace wardslam::storage {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using MapSchemaTest = StoredWard;
+
+TEST_F(MapSchemaTest, BringsAFileOfTheFirstVersionUpToDate) {
+  writeWard();
+  for (const char* table :
+       {"depth_noises", "object_hints", "tile_memories", "object_memories", "object_votes", "object_pairs"}) {
+    runSql(std::string("DROP TABLE ") + table);
+  }
+  runSql(
+      "ALTER TABLE edges DROP COLUMN inliers; DROP VIEW map_piece; ALTER TABLE keyframes DROP COLUMN piece; "
+      "ALTER TABLE objects DROP COLUMN piece; PRAGMA user_version = 1");
+  const auto file = MapFile::open(path_);
+  EXPECT_THAT(file.check(), IsEmpty());
+  EXPECT_EQ(file.info().schemaVersion, 2);
+  EXPECT_EQ(file.info().pieces, 1U) << "what there was is one piece, and the map";
+  EXPECT_EQ(file.read().keyframes.size(), ward_.keyframes.size());
+  EXPECT_EQ(file.read().objects.size(), ward_.objects.size());
+  EXPECT_EQ(file.readLoops().at(0).inliers, 30);
+  EXPECT_TRUE(file.readMemory().objects.empty());
+  EXPECT_EQ(file.readViews().at(0).camera.depthNoise, core::DepthNoise{}) << "a Kinect's, as was taken for granted";
+}
+
+TEST_F(MapSchemaTest, SaysThatANewerVersionWroteIt) {
+  writeWard();
+  runSql("PRAGMA user_version = 3");
+  EXPECT_THAT(openingError(), HasSubstr("was written by a newer WardSLAM"));
+}
+
+}  // namespace
+}  // namespace wardslam::storage
