@@ -170,73 +170,125 @@ pipeline::WhenBehind whenBehind(const RecordedRun& run, bool isLive) {
   return isLive || run.realtime ? pipeline::WhenBehind::LeavesViewsOut : pipeline::WhenBehind::Waits;
 }
 
+/// One run, from the opened input to the written folder. Whatever goes wrong while it is tracked, what went well until
+/// then is written first.
+class Execution {
+ public:
+  Execution(const RecordedRun& run, const InterruptionGuard& interruption)
+      : run_(run), interruption_(interruption), slam_(makeSystem()), truth_(makeTruth()), folder_(run.out) {
+    folder_.writeConfiguration(slam_.configuration());
+    watch();
+    openMap();
+  }
+
+  /// False: interrupted.
+  bool perform() {
+    track();
+    finishMap();
+    isInterrupted_ = interruption_.requested();
+    writeFolder();
+    tell();
+    failure_.rethrow();
+    requireThatAllWasSound();
+    return !isInterrupted_;
+  }
+
+ private:
+  pipeline::SlamSystem makeSystem() {
+    if (sources::isSensorConfiguration(run_.input)) {
+      live_.emplace(run_.input, run_.live, run_.options.sources.live, sourceOptions(run_, trouble_), interruption_);
+    } else {
+      recording_ = sources::openSource(run_.input, sourceOptions(run_, trouble_));
+    }
+    return pipeline::SlamSystem(run_.options, earlierMapOf(run_), whenBehind(run_, live_.has_value()));
+  }
+  [[nodiscard]] std::unique_ptr<DynamicTruth> makeTruth() const {
+    return run_.dynamicTruth.empty() ? nullptr : std::make_unique<DynamicTruth>(run_.dynamicTruth);
+  }
+  sources::ObservationSource& source() { return live_ ? live_->source() : *recording_; }
+
+  void watch() {
+    slam_.setDepthNoise(source().depthNoise());
+    slam_.addObserver(statistics_);
+    slam_.addObserver(zones_);
+    slam_.addObserver(folder_);
+    if (live_) slam_.addObserver(*live_);
+    slam_.addObserver(pictures_);
+    if (run_.view) slam_.addObserver(window_.emplace(slam_.labelSpace()));
+    if (truth_) slam_.addObserver(*truth_);
+  }
+
+  void openMap() {
+    if (!slam_.buildsSemanticMap()) return;
+    if (!run_.map.empty()) mapCopy_.emplace(run_.map);
+    mapFile_.emplace(openMapFile(run_, slam_, mapCopy_));
+    mapFile_->setWarningSink(tellAtOnce);
+    slam_.writeTo(*mapFile_);
+  }
+
+  void track() {
+    attempt([this] { processAll(source(), slam_, statistics_, trouble_, run_, interruption_); });
+    if (live_) live_->source().close();
+    attempt([this] { slam_.finish(); });
+  }
+
+  void finishMap() {
+    if (!mapFile_) return;
+    failure_.attempt([this] {
+      attemptRun(run_, statistics_, [this] { mapFile_->finish(*slam_.mapBuilder(), slam_.mapper()); });
+      if (mapCopy_) settle(*mapCopy_, slam_.recognisedAt_s().has_value());
+    });
+  }
+
+  void writeFolder() {
+    failure_.attempt([this] {
+      folder_.finish({statistics_, zones_, source().damage(), slam_, mapFile_ ? mapFile_->failedWrites() : 0,
+                      truth_.get(), live_ ? &*live_ : nullptr, isInterrupted_, run_.options.deterministic});
+    });
+  }
+
+  void tell() {
+    tellOfPieces(slam_, run_.out, statistics_.frames());
+    if (live_) std::cerr << "wardslam: " << live_->closingLine(statistics_.frames()) << "\n";
+    tellWhatWasLeftOut(slam_.leftOut());
+  }
+
+  void requireThatAllWasSound() {
+    if (!isInterrupted_) slam_.requireSoundSetup();
+    requireSoundInput(source(), statistics_, trouble_, run_.input);
+    if (!isInterrupted_) requireRecognition(run_, slam_);
+    if (truth_ && statistics_.frames() > 0 && truth_->frames() == 0) {
+      throw core::InputError(run_.dynamicTruth.string() +
+                             ": no image belongs to any frame; they must be named by the stamps of the colour images");
+    }
+  }
+
+  void attempt(const std::function<void()>& work) {
+    failure_.attempt([&] { attemptRun(run_, statistics_, work); });
+  }
+
+  const RecordedRun& run_;
+  const InterruptionGuard& interruption_;
+  InputTrouble trouble_;
+  std::optional<LiveRun> live_;
+  std::unique_ptr<sources::ObservationSource> recording_;
+  std::optional<storage::MapCopy> mapCopy_;
+  std::optional<storage::MapFileWriter> mapFile_;  // outlives the system that writes to it
+  pipeline::SlamSystem slam_;
+  std::unique_ptr<DynamicTruth> truth_;  ///< Null: not compared.
+  RunFolder folder_;
+  pipeline::RunStatistics statistics_;
+  PictureWriter pictures_{run_.out / "pictures", run_.pictureInterval, slam_.labelSpace()};
+  pipeline::ZoneWatch zones_{slam_.zones()};
+  std::optional<viewer::LiveWindow> window_;
+  core::FirstFailure failure_;
+  bool isInterrupted_ = false;
+};
+
 }  // namespace
 
 bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
-  InputTrouble trouble;
-  std::optional<LiveRun> live;
-  std::unique_ptr<sources::ObservationSource> recording;
-  if (sources::isSensorConfiguration(run.input)) {
-    live.emplace(run.input, run.live, run.options.sources.live, sourceOptions(run, trouble), interruption);
-  } else {
-    recording = sources::openSource(run.input, sourceOptions(run, trouble));
-  }
-  sources::ObservationSource& source = live ? live->source() : *recording;
-  std::optional<storage::MapCopy> mapCopy;
-  std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
-  pipeline::SlamSystem slam(run.options, earlierMapOf(run), whenBehind(run, live.has_value()));
-  slam.setDepthNoise(source.depthNoise());
-  std::optional<DynamicTruth> truth;
-  if (!run.dynamicTruth.empty()) truth.emplace(run.dynamicTruth);
-  RunFolder folder(run.out);
-  folder.writeConfiguration(slam.configuration());
-
-  pipeline::RunStatistics statistics;
-  PictureWriter pictures(run.out / "pictures", run.pictureInterval, slam.labelSpace());
-  pipeline::ZoneWatch zoneWatch(slam.zones());
-  slam.addObserver(statistics);
-  slam.addObserver(zoneWatch);
-  slam.addObserver(folder);
-  if (live) slam.addObserver(*live);
-  slam.addObserver(pictures);
-  std::optional<viewer::LiveWindow> window;
-  if (run.view) slam.addObserver(window.emplace(slam.labelSpace()));
-  if (truth) slam.addObserver(*truth);
-
-  if (slam.buildsSemanticMap()) {
-    if (!run.map.empty()) mapCopy.emplace(run.map);
-    mapFile.emplace(openMapFile(run, slam, mapCopy));
-    mapFile->setWarningSink(tellAtOnce);
-    slam.writeTo(*mapFile);
-  }
-  // Whatever goes wrong from here on, what went well until then is written first.
-  core::FirstFailure failure;
-  failure.attempt(
-      [&] { attemptRun(run, statistics, [&] { processAll(source, slam, statistics, trouble, run, interruption); }); });
-  if (live) live->source().close();
-  failure.attempt([&] { attemptRun(run, statistics, [&] { slam.finish(); }); });
-  failure.attempt([&] {
-    if (!mapFile) return;
-    attemptRun(run, statistics, [&] { mapFile->finish(*slam.mapBuilder(), slam.mapper()); });
-    if (mapCopy) settle(*mapCopy, slam.recognisedAt_s().has_value());
-  });
-  const bool isInterrupted = interruption.requested();
-  failure.attempt([&] {
-    folder.finish({statistics, zoneWatch, source.damage(), slam, mapFile ? mapFile->failedWrites() : 0,
-                   truth ? &*truth : nullptr, live ? &*live : nullptr, isInterrupted, run.options.deterministic});
-  });
-  tellOfPieces(slam, run.out, statistics.frames());
-  if (live) std::cerr << "wardslam: " << live->closingLine(statistics.frames()) << "\n";
-  tellWhatWasLeftOut(slam.leftOut());
-  failure.rethrow();
-  if (!isInterrupted) slam.requireSoundSetup();
-  requireSoundInput(source, statistics, trouble, run.input);
-  if (!isInterrupted) requireRecognition(run, slam);
-  if (truth && statistics.frames() > 0 && truth->frames() == 0) {
-    throw core::InputError(run.dynamicTruth.string() +
-                           ": no image belongs to any frame; they must be named by the stamps of the colour images");
-  }
-  return !isInterrupted;
+  return Execution(run, interruption).perform();
 }
 
 }  // namespace wardslam::apps
