@@ -8,7 +8,41 @@
 namespace wardslam::storage {
 namespace {
 
+using testing::IsEmpty;
+
 using MapReadingTest = StoredWard;
+
+/// What a builder may remember of the ward.
+mapping::MapMemory makeMemory() {
+  mapping::MapMemory memory;
+  mapping::PointMemory point;
+  point.p_cam_m = {1.0F, -2.0F, 3.0F};
+  point.color_rgb = {1, 2, 3};
+  point.precision_m2 = 4.5F;
+  point.sigma_m = 0.25F;
+  point.votes = {{{1, 2.5F}, {0, 0.5F}, {4, 0.25F}}};
+  point.object = 1;
+  point.sightings = 7;
+  point.evidence = -1;
+  memory.tiles[2] = {point, {}};
+  mapping::ObjectMemory& object = memory.objects[1];
+  object.votes = {{57, 3.5}, {60, 0.75}};
+  object.views = 5;
+  object.expected = 9;
+  object.missed = 2;
+  object.firstSeen_s = 900;
+  object.lastSeen_s = 999;
+  object.lastPlace_m = {0.5F, 0.25F, 1.0F};
+  object.handled_s = 950;
+  object.viewsToRest = 3;
+  object.erased = 11;
+  object.gone_s = 960;
+  object.placeWasEmpty = true;
+  object.state = mapping::ObjectState::Moved;
+  memory.objects[12].views = 1;
+  memory.pairs[{1, 12}] = {3, 4};
+  return memory;
+}
 
 TEST_F(MapReadingTest, GivesBackWhatIsRemembered) {
   writeWard();
