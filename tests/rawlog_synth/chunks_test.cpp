@@ -96,6 +96,10 @@ TEST(CellView, HidesWhatLiesInUnseenPartsAlone) {
   EXPECT_TRUE(cells.mayShow(boxAround(2))) << "in the door";
   EXPECT_FALSE(cells.mayShow(boxAround(4)));
   EXPECT_TRUE(cells.mayShow(boxAround(9))) << "nobody knows what is there";
+  scene.mayBeSeen = [](int cell, const Eigen::Isometry3d&) { return cell == 1; };
+  const CellView others = chunks.cellsFrom(Eigen::Isometry3d::Identity());
+  EXPECT_TRUE(others.mayShow(boxAround(2))) << "in the door, seen from the other side";
+  EXPECT_FALSE(others.mayShow(boxAround(0)));
   scene.mayBeSeen = nullptr;
   EXPECT_TRUE(chunks.cellsFrom(Eigen::Isometry3d::Identity()).mayShow(boxAround(4)));
 }
