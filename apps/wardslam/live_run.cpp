@@ -2,22 +2,15 @@
 
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <utility>
 
-#include "support/progress.h"
+#include "support/told_at_once.h"
 #include "wardslam/core/mrpt_compat.h"
 
 namespace wardslam::apps {
 namespace {
 
 constexpr const char* kLatency = "latency";
-
-/// At once: somebody may stand beside the robot with the plug in the hand.
-void warn(const std::string& sentence) {
-  const char* overProgressLine = standardErrorIsTerminal() ? "\r\033[K" : "";
-  std::cerr << overProgressLine << "wardslam: " << sentence << std::endl;
-}
 
 std::function<bool()> stopper(const InterruptionGuard& interruption, std::optional<double> seconds) {
   using Clock = std::chrono::steady_clock;
@@ -36,7 +29,7 @@ LiveRun::LiveRun(const std::filesystem::path& ini, const LiveInput& input, const
   sensor.plugins = input.plugins;
   sensor.options = live;
   sensor.stop = stopper(interruption, input.seconds);
-  options.warn = warn;
+  options.warn = tellAtOnce;  // somebody may stand beside the robot with the plug in the hand
   source_.emplace(std::move(sensor), options);
 }
 

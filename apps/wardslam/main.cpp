@@ -2,6 +2,7 @@
 
 #include "config_command.h"
 #include "eval_command.h"
+#include "eval_floor_command.h"
 #include "eval_objects_command.h"
 #include "knowledge_command.h"
 #include "map_command.h"
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
     addSweepCommand(app);
     addEvalCommand(app);
     addEvalObjectsCommand(app);
+    addEvalFloorCommand(app);
     addConfigCommand(app);
     addModelsCommand(app);
     addKnowledgeCommand(app);

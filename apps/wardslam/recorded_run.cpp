@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <iostream>
+#include <sstream>
 
 #include "dynamic_truth.h"
 #include "picture_writer.h"
 #include "run_folder.h"
 #include "support/playback_clock.h"
 #include "support/progress.h"
+#include "support/told_at_once.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/first_failure.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
@@ -70,6 +74,39 @@ void processAll(sources::ObservationSource& source, pipeline::SlamSystem& slam, 
   }
 }
 
+/// What libraries say has lines and blanks of its own.
+std::string inOneLine(const std::string& text) {
+  std::istringstream words(text);
+  std::string line;
+  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+/// Does `work`; what is no error of the input, a library's or memory that is used up, becomes one sentence.
+void attemptRun(const RecordedRun& run, const pipeline::RunStatistics& statistics, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const core::InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw core::InputError(run.input.string() + ": the run ended after " + std::to_string(statistics.frames()) +
+                           " images, of which trajectory, map and summary are written: " + inOneLine(error.what()));
+  }
+}
+
+/// What a robot's map lacks because mapping came too late.
+void tellWhatWasLeftOut(const core::EventCounts& leftOut) {
+  std::string text;
+  const auto add = [&](const char* event, const char* why) {
+    const auto found = leftOut.find(event);
+    if (found == leftOut.end()) return;
+    text += (text.empty() ? "" : ", ") + std::to_string(found->second) + why;
+  };
+  add("mapping.view_left_out", " images that are no keyframes came faster than they could be worked in");
+  add("mapping.view_without_masks", " had no masks in time");
+  if (!text.empty()) tellAtOnce("not everything is in the map: " + text);
+}
+
 /// The run is written in full by now; what was wrong with its input still makes it a failure.
 void requireSoundInput(const sources::ObservationSource& source, const pipeline::RunStatistics& statistics,
                        const InputTrouble& trouble, const std::filesystem::path& input) {
@@ -92,11 +129,25 @@ storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamS
   return {run.out / "map.wardmap", storage::MapHeader{slam.labelSpace(), slam.configuration()}};
 }
 
+pipeline::EarlierMap earlierMapOf(const RecordedRun& run) {
+  if (run.map.empty()) return {};
+  return pipeline::readEarlierMap(run.map, run.localize ? graph::Saved::IsHeld : graph::Saved::MayChange);
+}
+
 /// Without a place in common, the poses of the run say nothing about the map.
 void requireRecognition(const RecordedRun& run, const pipeline::SlamSystem& slam) {
   if (run.map.empty() || slam.recognisedAt_s()) return;
   throw core::InputError(run.map.string() + ": no place of this map was recognised in " + run.input.string() +
                          "; the trajectory is in a frame of its own and the map is as it was");
+}
+
+}  // namespace
+
+namespace {
+
+/// Images that came too late for a robot; a recording waits until they are worked in.
+pipeline::WhenBehind whenBehind(const RecordedRun& run, bool isLive) {
+  return isLive || run.realtime ? pipeline::WhenBehind::LeavesViewsOut : pipeline::WhenBehind::Waits;
 }
 
 }  // namespace
@@ -112,7 +163,7 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
   }
   sources::ObservationSource& source = live ? live->source() : *recording;
   std::optional<storage::MapFileWriter> mapFile;  // outlives the system that writes to it
-  pipeline::SlamSystem slam(run.options, run.map.empty() ? pipeline::EarlierMap{} : pipeline::readEarlierMap(run.map));
+  pipeline::SlamSystem slam(run.options, earlierMapOf(run), whenBehind(run, live.has_value()));
   slam.setDepthNoise(source.depthNoise());
   std::optional<DynamicTruth> truth;
   if (!run.dynamicTruth.empty()) truth.emplace(run.dynamicTruth);
@@ -133,28 +184,26 @@ bool perform(const RecordedRun& run, const InterruptionGuard& interruption) {
 
   if (slam.buildsSemanticMap()) {
     mapFile.emplace(openMapFile(run, slam));
+    mapFile->setWarningSink(tellAtOnce);
     slam.writeTo(*mapFile);
   }
-  std::exception_ptr failure;
-  try {
-    processAll(source, slam, statistics, trouble, run, interruption);
-  } catch (const core::InputError&) {
-    failure = std::current_exception();  // what went well until then is written first
-  }
+  // Whatever goes wrong from here on, what went well until then is written first.
+  core::FirstFailure failure;
+  failure.attempt(
+      [&] { attemptRun(run, statistics, [&] { processAll(source, slam, statistics, trouble, run, interruption); }); });
   if (live) live->source().close();
-  slam.finish();
-  if (mapFile) {
-    try {
-      mapFile->finish(*slam.mapBuilder(), slam.mapper());
-    } catch (const core::InputError&) {
-      if (!failure) failure = std::current_exception();
-    }
-  }
+  failure.attempt([&] { attemptRun(run, statistics, [&] { slam.finish(); }); });
+  failure.attempt([&] {
+    if (mapFile) attemptRun(run, statistics, [&] { mapFile->finish(*slam.mapBuilder(), slam.mapper()); });
+  });
   const bool isInterrupted = interruption.requested();
-  folder.finish({statistics, zoneWatch, source.damage(), slam, truth ? &*truth : nullptr, live ? &*live : nullptr,
-                 isInterrupted, run.options.deterministic});
+  failure.attempt([&] {
+    folder.finish({statistics, zoneWatch, source.damage(), slam, mapFile ? mapFile->failedWrites() : 0,
+                   truth ? &*truth : nullptr, live ? &*live : nullptr, isInterrupted, run.options.deterministic});
+  });
   if (live) std::cerr << "wardslam: " << live->closingLine(statistics.frames()) << "\n";
-  if (failure) std::rethrow_exception(failure);
+  tellWhatWasLeftOut(slam.leftOut());
+  failure.rethrow();
   if (!isInterrupted) slam.requireSoundSetup();
   requireSoundInput(source, statistics, trouble, run.input);
   if (!isInterrupted) requireRecognition(run, slam);

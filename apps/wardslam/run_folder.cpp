@@ -7,8 +7,10 @@
 #include <system_error>
 
 #include "object_list.h"
+#include "support/told_at_once.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/first_failure.h"
 
 namespace wardslam::apps {
 namespace {
@@ -82,6 +84,21 @@ nlohmann::ordered_json toJson(const LiveRun& live, std::size_t processed) {
           {"latency", {{"median_ms", rounded(latency.median_ms, 1)}, {"p95_ms", rounded(latency.p95_ms, 1)}}}};
 }
 
+/// Trouble that was survived, and what did not get into the results.
+core::EventCounts eventsOf(const RunSummary& summary) {
+  core::EventCounts events = summary.statistics.events();
+  core::accumulate(events, summary.slam.leftOut());
+  if (summary.failedMapWrites > 0) events["storage.write_failed"] = summary.failedMapWrites;
+  return events;
+}
+
+core::EventCounts damageOf(const RunSummary& summary) {
+  core::EventCounts damage = summary.damage;
+  const std::size_t unusable = summary.statistics.unusableFrames();
+  if (unusable > 0) damage["sources.observation_unusable"] += unusable;
+  return damage;
+}
+
 nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json;
@@ -102,8 +119,8 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);
   json["deterministic"] = summary.deterministic;
   json["interrupted"] = summary.interrupted;
-  json["events"] = statistics.events();
-  json["damaged_input"] = summary.damage;
+  json["events"] = eventsOf(summary);
+  json["damaged_input"] = damageOf(summary);
   return json;
 }
 
@@ -118,16 +135,30 @@ void RunFolder::writeConfiguration(const std::string& yaml) const {
 
 void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   if (odometry.hasPose()) live_.write({frame.stamp_s, odometry.T_map_cam});
+  const bool isBehind = live_.isBehind();
+  if (isBehind && !wasBehind_) {
+    tellAtOnce((folder_ / "trajectory_live.txt").string() +
+               ": cannot be written (is the disk full?); the poses are kept and it is tried again with each");
+  }
+  wasBehind_ = isBehind;
 }
 
 void RunFolder::finish(const RunSummary& summary) {
-  live_.finish();
-  exchange::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
-  for (const auto& pose : summary.slam.trajectory()) corrected.write(pose);
-  corrected.finish();
-  if (summary.slam.buildsSemanticMap()) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());
-  const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
+  core::FirstFailure failure;
+  failure.attempt([&] { live_.finish(); });
+  failure.attempt([&] {
+    exchange::TumTrajectoryWriter corrected(folder_ / "trajectory.txt");
+    for (const auto& pose : summary.slam.trajectory()) corrected.write(pose);
+    corrected.finish();
+  });
+  failure.attempt([&] {
+    if (summary.slam.buildsSemanticMap()) writeObjects(folder_ / "objects.json", summary.slam.semanticMap());
+  });
+  failure.attempt([&] {
+    const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
+  });
+  failure.rethrow();
 }
 
 }  // namespace wardslam::apps

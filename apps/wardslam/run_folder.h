@@ -21,6 +21,7 @@ struct RunSummary {
   const pipeline::ZoneWatch& zones;
   const core::EventCounts& damage;
   const pipeline::SlamSystem& slam;  ///< Finished.
+  std::size_t failedMapWrites;       ///< Made up for later, unless the run says otherwise.
   const DynamicTruth* truth;         ///< Null: not compared.
   const LiveRun* live;               ///< Null: a recording.
   bool interrupted;
@@ -36,11 +37,13 @@ class RunFolder : public pipeline::FrameObserver {
 
   void writeConfiguration(const std::string& yaml) const;
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
+  /// Writes every result, whatever becomes of the others; then throws core::InputError for the first that failed.
   void finish(const RunSummary& summary);
 
  private:
   std::filesystem::path folder_;
   exchange::TumTrajectoryWriter live_;
+  bool wasBehind_ = false;  ///< The disk did not take all poses.
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

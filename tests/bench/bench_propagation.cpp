@@ -74,7 +74,8 @@ void propagateFrame(benchmark::State& state) {
     newest.follow(motion.step());
     pending.follow(motion.step());
     benchmark::DoNotOptimize(masks::carryMasks(scenes[1 - i].masks, newest, motion.picture()));
-    benchmark::DoNotOptimize(pending.places());
+    cv::Mat places = pending.places();
+    benchmark::DoNotOptimize(places);
   }
 }
 BENCHMARK(propagateFrame)->Arg(1)->Arg(3)->Arg(12)->Unit(benchmark::kMillisecond);

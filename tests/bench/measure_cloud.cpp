@@ -107,7 +107,7 @@ class Inspection {
 };
 
 mapping::SemanticMap mapOf(const fs::path& recording, const std::string& model, core::Trajectory& trajectory) {
-  pipeline::SlamSystem slam(optionsFor(recording, model));
+  pipeline::SlamSystem slam(optionsFor(recording, model), {}, pipeline::WhenBehind::Waits);
   const auto source = sources::openSource(recording, {});
   while (const auto observation = source->next()) slam.process(observation);
   slam.finish();

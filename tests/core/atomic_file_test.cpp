@@ -2,9 +2,31 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <vector>
+
+#include "support/full_disk.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
+
+namespace {
+
+/// Of the files and folders the disk was told to take over.
+std::vector<ino_t>& syncedInodes() {
+  static std::vector<ino_t> all;
+  return all;
+}
+
+}  // namespace
+
+/// In place of the system's, which knows no way of being asked.
+extern "C" int fsync(int descriptor) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) == 0) syncedInodes().push_back(status.st_ino);
+  return ::fdatasync(descriptor);
+}
 
 namespace wardslam::core {
 namespace {
@@ -16,6 +38,11 @@ class AtomicFileTest : public testing::Test {
   test::TemporaryFolder folder_;
   fs::path file_ = folder_.path() / "out.txt";
   fs::path partial_ = folder_.path() / "out.txt.partial";
+
+  static ino_t inodeOf(const fs::path& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 ? status.st_ino : 0;
+  }
 };
 
 TEST_F(AtomicFileTest, AppearsOnlyOnCommit) {
@@ -66,6 +93,31 @@ TEST_F(AtomicFileTest, FullDiskIsToldAndTheOldFileStays) {
   EXPECT_THAT([&] { writeFileAtomically(file_, "new"); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr("is the disk full")));
   EXPECT_EQ(test::readText(file_), "old");
+}
+
+TEST_F(AtomicFileTest, WhatAFullDiskDidNotTakeIsWrittenLater) {
+  AtomicFile out(file_);
+  const std::string before(500, 'a');
+  const std::string meanwhile(3000, 'b');
+  out.stream() << before << std::flush;
+  EXPECT_FALSE(out.isBehind());
+  {
+    const test::FullDisk full;
+    out.stream() << meanwhile << std::flush << "c" << std::flush;
+    EXPECT_TRUE(out.isBehind());
+    EXPECT_THROW(out.commit(), InputError);
+  }
+  EXPECT_FALSE(fs::exists(file_));
+  out.stream() << "d" << std::flush;
+  EXPECT_FALSE(out.isBehind());
+  out.commit();
+  EXPECT_EQ(test::readText(file_), before + meanwhile + "cd");
+}
+
+TEST_F(AtomicFileTest, AFileThatWasCommittedSurvivesAPowerCut) {
+  syncedInodes().clear();
+  writeFileAtomically(file_, "all");
+  EXPECT_THAT(syncedInodes(), testing::ElementsAre(inodeOf(file_), inodeOf(folder_.path()))) << "in this order";
 }
 
 TEST_F(AtomicFileTest, TargetThatCannotBeReplacedIsTold) {

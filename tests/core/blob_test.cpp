@@ -43,6 +43,17 @@ TEST(Blob, UnpacksWhatWasPacked) {
   EXPECT_EQ(unpack(BlobKind::CloudTile, 1, pack(BlobKind::CloudTile, 1, {})), Bytes());
 }
 
+TEST(Blob, HoldsTheLargestFloorPlanThatIsDrawn) {
+  constexpr std::size_t kCells = 400'000'000;
+  Bytes blob;
+  {
+    const Bytes content(kCells, 42);
+    blob = pack(BlobKind::FloorCells, 1, content);
+  }
+  blob.shrink_to_fit();
+  EXPECT_EQ(unpack(BlobKind::FloorCells, 1, blob).size(), kCells);
+}
+
 TEST(Blob, RefusesAnotherKindOrVersion) {
   const Bytes blob = pack(BlobKind::CloudTile, 1, {1, 2, 3});
   EXPECT_THROW((void)unpack(BlobKind::Features, 1, blob), BlobError);

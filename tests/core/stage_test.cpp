@@ -51,11 +51,10 @@ TEST_P(StageInBothThreads, WorksInOrderAndGivesTheWorkerBack) {
   Stage<Worker> stage(worker(), GetParam());
   stage.post(number(1));
   stage.post(number(2), Necessity::Optional);
-  stage.post(number(3), Necessity::Preferred);
-  stage.post(number(4));
+  stage.post(number(3));
   const auto finished = stage.finish();
   ASSERT_NE(finished, nullptr);
-  EXPECT_THAT(finished->done, ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(finished->done, ElementsAre(1, 2, 3));
   EXPECT_EQ(stage.leftOut(), 0U);
   EXPECT_EQ(stage.finish(), nullptr) << "asking twice does no harm";
 }
@@ -106,29 +105,17 @@ TEST(StageInItsOwnThread, GivesWayToOthers) {
   EXPECT_EQ(niceness(), before);
 }
 
-TEST(StageInItsOwnThread, LeavesOutOldOptionalTasksButNoPreferredAndNoRequiredOnes) {
+TEST(StageInItsOwnThread, LeavesOutOldOptionalTasksButNoRequiredOnes) {
   Stage<Worker> stage(worker(), StageThread::Own, {64, 12});
   Gate gate;
-  gate.close(stage);
+  gate.close(stage, Necessity::Optional);  // in work: it does not count
   stage.post(number(-1));
-  stage.post(number(0), Necessity::Preferred);
-  for (int i = 1; i < 14; ++i) stage.post(number(i), Necessity::Optional);
+  stage.post(number(0));
+  for (int i = 1; i < 15; ++i) stage.post(number(i), Necessity::Optional);
   EXPECT_EQ(stage.leftOut(), 2U);
   gate.open();
-  EXPECT_THAT(stage.finish()->done, ElementsAre(-1, 0, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13));
+  EXPECT_THAT(stage.finish()->done, ElementsAre(-1, 0, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14));
   EXPECT_EQ(stage.leftOut(), 2U);
-}
-
-TEST(StageInItsOwnThread, LeavesOutPreferredTasksWhenNoneIsOptional) {
-  Stage<Worker> stage(worker(), StageThread::Own, {64, 2});
-  Gate gate;
-  gate.close(stage, Necessity::Preferred);  // in work: it does not count
-  for (int i = 0; i < 3; ++i) stage.post(number(i), Necessity::Preferred);
-  EXPECT_EQ(stage.leftOut(), 1U);
-  stage.post(number(3), Necessity::Optional);
-  EXPECT_EQ(stage.leftOut(), 2U) << "the new one, as the others are preferred";
-  gate.open();
-  EXPECT_THAT(stage.finish()->done, ElementsAre(1, 2));
 }
 
 TEST(StageInItsOwnThread, RequiredTasksWaitForRoom) {
@@ -181,6 +168,21 @@ TEST(StageInItsOwnThread, PassesFailuresOnAndDoesNothingAfterThem) {
   EXPECT_THROW((void)stage.finish(), std::runtime_error);
   EXPECT_THROW(stage.rethrowFailure(), std::runtime_error);
   EXPECT_THAT(w.done, ElementsAre(1));
+}
+
+TEST_P(StageInBothThreads, GivesTheWorkerBackThoughATaskHasThrown) {
+  Stage<Worker> stage(worker(), GetParam());
+  stage.post(number(1));
+  try {
+    stage.post([](Worker&) { throw std::runtime_error("no space left"); });
+    (void)stage.finish();
+  } catch (const std::runtime_error&) {
+  }
+  const auto given = stage.giveUp();
+  ASSERT_NE(given, nullptr);
+  EXPECT_THAT(given->done, ElementsAre(1));
+  EXPECT_EQ(stage.giveUp(), nullptr) << "asking twice does no harm";
+  EXPECT_THROW(stage.post(number(2)), std::logic_error);
 }
 
 TEST(StageInItsOwnThread, PassesFailuresOnToTheNextTask) {

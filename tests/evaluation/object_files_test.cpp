@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "support/complaint.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
@@ -26,6 +28,28 @@ TEST(ObjectFilesTest, ReadsTrueObjects) {
   EXPECT_EQ(objects[0].box_m.max(), Eigen::Vector3d(1, 2, 0.5));
   EXPECT_EQ(objects[0].framesVisible, 30);
   EXPECT_EQ(objects[0].maxPixels, 1600);
+}
+
+TEST(ObjectFilesTest, CountsHowWellThingsWereSeenWhereNoColumnTells) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("objects.csv",
+                                 "instance_id,name,class_id,class_name,xmin,ymin,zmin,xmax,ymax,zmax\n"
+                                 "7,bed_1,60,bed,-1,-2,0,1,2,0.5\n9,bed_2,60,bed,5,5,0,6,6,0.5\n");
+  EXPECT_THAT(test::complaintOf([&] { return readTrueObjects(file); }), HasSubstr("instances is not there"));
+  std::filesystem::create_directory(folder.path() / "instances");
+  EXPECT_THAT(test::complaintOf([&] { return readTrueObjects(file); }), HasSubstr("instances: holds no image"));
+  cv::Mat ids = cv::Mat::zeros(4, 5, CV_16UC1);
+  ids.row(0) = 7;
+  cv::imwrite((folder.path() / "instances/1.0.png").string(), ids);
+  ids.row(1) = 7;
+  cv::imwrite((folder.path() / "instances/2.0.png").string(), ids);
+  const auto objects = readTrueObjects(file);
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].framesVisible, 2);
+  EXPECT_EQ(objects[0].maxPixels, 10);
+  EXPECT_EQ(objects[1].framesVisible, 0) << "never seen";
+  cv::imwrite((folder.path() / "instances/3.0.png").string(), cv::Mat(4, 5, CV_8UC1, cv::Scalar(7)));
+  EXPECT_THAT(test::complaintOf([&] { return readTrueObjects(file); }), HasSubstr("3.0.png: is no image of instance"));
 }
 
 TEST(ObjectFilesTest, NamesFileAndLineOfWhatIsWrong) {

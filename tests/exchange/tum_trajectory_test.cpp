@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "support/full_disk.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
 
@@ -75,7 +76,8 @@ TEST_F(ReadTumTrajectory, SortsByTimeAndTheLaterOfTwoLinesCounts) {
 
 TEST_F(ReadTumTrajectory, RefusesMalformedLinesNamingFileAndLine) {
   const std::string good = "# comment\n1 0 0 0 0 0 0 1\n";
-  for (const char* bad : {"2 0 0 0 0 0 1", "2 0 0 0 0 0 0 1 9", "2 0 0 zero 0 0 0 1", "2 0 0 0 0 0 0 1.0x", "PK"}) {
+  for (const char* bad : {"2 0 0 0 0 0 1", "2 0 0 0 0 0 0 1 9", "2 0 0 zero 0 0 0 1", "2 0 0 0 0 0 0 1.0x", "PK",
+                          "2 1e308 0 0 0 0 0 1"}) {
     EXPECT_THAT([&] { (void)read(good + bad + "\n"); },
                 ThrowsMessage<core::InputError>(AllOf(HasSubstr("trajectory.txt:3: "), HasSubstr(bad))))
         << bad;
@@ -150,6 +152,24 @@ TEST_F(TumTrajectoryWriterTest, EveryLineIsOnDiskAtOnceButUnderThePartialName) {
   writer.finish();
   EXPECT_FALSE(std::filesystem::exists(partial));
   EXPECT_EQ(readTumTrajectory(file).size(), 1U);
+}
+
+TEST_F(TumTrajectoryWriterTest, PosesOutlastAFullDisk) {
+  const auto file = folder.path() / "out.txt";
+  TumTrajectoryWriter writer(file);
+  const auto write = [&](int from, int to) {
+    for (int i = from; i < to; ++i) writer.write({static_cast<double>(i), Eigen::Isometry3d::Identity()});
+  };
+  write(0, 5);
+  {
+    const test::FullDisk full;
+    write(5, 100);
+    EXPECT_TRUE(writer.isBehind());
+  }
+  write(100, 101);
+  EXPECT_FALSE(writer.isBehind());
+  writer.finish();
+  EXPECT_EQ(readTumTrajectory(file).size(), 101U);
 }
 
 TEST_F(TumTrajectoryWriterTest, FinishesWhenItGoesAway) {

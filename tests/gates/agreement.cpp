@@ -35,9 +35,13 @@ mapping::SemanticMap placed(mapping::SemanticMap map, const Poses& poses) {
   return map;
 }
 
-std::vector<Eigen::Vector3f> cloudOf(const mapping::SemanticMap& map) {
-  std::vector<Eigen::Vector3f> points_m;
-  mapping::forEachCloudPoint(map, [&](const Eigen::Vector3f& p_m, const auto&) { points_m.push_back(p_m); });
+/// In double precision, unlike forEachCloudPoint(): differences of a micrometre count.
+std::vector<Eigen::Vector3d> cloudOf(const mapping::SemanticMap& map) {
+  std::vector<Eigen::Vector3d> points_m;
+  for (const auto& [id, tile] : map.cloud) {
+    const Eigen::Isometry3d& T_map_cam = map.keyframes.at(id).T_map_cam;
+    for (const auto& point : tile.points) points_m.emplace_back(T_map_cam * point.p_cam_m.cast<double>());
+  }
   return points_m;
 }
 
@@ -73,15 +77,39 @@ Disagreement disagreementOf(const Run& run) {
   const auto inTrajectory_m = cloudOf(byTrajectory);
   result.cloudPoints = inFile_m.size();
   for (std::size_t i = 0; i < inFile_m.size(); ++i) {
-    result.cloud_m = std::max(result.cloud_m, static_cast<double>((inFile_m[i] - inTrajectory_m[i]).norm()));
+    result.cloud_m = std::max(result.cloud_m, (inFile_m[i] - inTrajectory_m[i]).norm());
   }
   result.object_m = farthestObject_m(byTrajectory);
   result.objectInFile_m = farthestObject_m(map);
   std::printf(
-      "%zu keyframes off by up to %.2f mm, %zu points by %.2f mm, %zu things by %.2f mm (from the file's cloud %.2f "
+      "%zu keyframes off by up to %.5f mm, %zu points by %.5f mm, %zu things by %.5f mm (from the file's cloud %.5f "
       "mm)\n",
       result.keyframes, 1e3 * result.keyframe_m, result.cloudPoints, 1e3 * result.cloud_m, result.objects,
       1e3 * result.object_m, 1e3 * result.objectInFile_m);
+  return result;
+}
+
+Continuity continuityOf(const Rendering& rendering, const Run& run) {
+  constexpr std::size_t kLast = 10;  // images
+  const auto truth = rendering.truth();
+  const auto trajectory = run.trajectory();
+  const auto live = run.liveTrajectory();
+  if (trajectory.size() != truth.size() || live.size() != truth.size() || truth.size() < kLast) {
+    throw std::runtime_error("not every image has a pose");
+  }
+  Continuity result;
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    const auto step = [i](const core::Trajectory& t) {
+      return Eigen::Isometry3d(t[i - 1].T_map_cam.inverse() * t[i].T_map_cam);
+    };
+    result.step_m = std::max(result.step_m, (step(truth).inverse() * step(trajectory)).translation().norm());
+  }
+  for (std::size_t i = truth.size() - kLast; i < truth.size(); ++i) {
+    const Eigen::Vector3d off_m = live[i].T_map_cam.translation() - trajectory[i].T_map_cam.translation();
+    result.liveInEnd_m = std::max(result.liveInEnd_m, off_m.norm());
+  }
+  std::printf("from image to image off by up to %.1f mm; live poses in the end by up to %.1f mm\n", 1e3 * result.step_m,
+              1e3 * result.liveInEnd_m);
   return result;
 }
 

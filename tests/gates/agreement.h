@@ -18,6 +18,15 @@ struct Disagreement {
   double objectInFile_m = 0.0;
 };
 
+/// How smoothly the poses of a run follow the truth across corrections of the map, in metres.
+struct Continuity {
+  double step_m = 0.0;       ///< Largest error from one image to the next, in trajectory.txt.
+  double liveInEnd_m = 0.0;  ///< Farthest that live poses lie from trajectory.txt, over the last seconds.
+};
+
+/// For a whole rendering. Prints what it finds.
+[[nodiscard]] Continuity continuityOf(const Rendering& rendering, const Run& run);
+
 /// For a run whose cloud is published whole (kWholeCloud). Prints what it finds.
 [[nodiscard]] Disagreement disagreementOf(const Run& run);
 

@@ -13,5 +13,6 @@ namespace wardslam::gates {
 inline Rendering floorRendering() { return {floorFolder() / "floor.rawlog"}; }
 inline Run floorRun() { return {floorFolder() / "deterministic"}; }
 inline Run floorRunWithThreads() { return {floorFolder() / "threads"}; }
+inline Run floorRunInRealTime() { return {floorFolder() / "realtime"}; }
 
 }  // namespace wardslam::gates

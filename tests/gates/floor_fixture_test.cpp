@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -48,10 +49,16 @@ TEST(FloorFixture, IsRunDeterministically) {
   expectWholeRoundWithLoop(floorRun());
 }
 
+/// Two runs beside each other on one core, one of them as images come from a camera.
 TEST(FloorFixture, IsRunWithThreads) {
   const OneCore busy;
   fs::remove_all(floorRunWithThreads().out);
+  fs::remove_all(floorRunInRealTime().out);
+  auto inRealTime = arguments();
+  inRealTime.emplace_back("--realtime");
+  auto beside = std::async(std::launch::async, [&] { run(floorRendering(), floorRunInRealTime().out, inRealTime); });
   run(floorRendering(), floorRunWithThreads().out, arguments());
+  beside.get();
   expectWholeRoundWithLoop(floorRunWithThreads());
 }
 

@@ -37,6 +37,8 @@ Rendering render(const fs::path& rawlog, const std::vector<std::string>& argumen
 
 core::Trajectory Run::trajectory() const { return exchange::readTumTrajectory(out / "trajectory.txt"); }
 
+core::Trajectory Run::liveTrajectory() const { return exchange::readTumTrajectory(out / "trajectory_live.txt"); }
+
 nlohmann::json Run::summary() const { return nlohmann::json::parse(test::readText(out / "summary.json")); }
 
 Run run(const Rendering& rendering, const fs::path& out, const std::vector<std::string>& arguments) {

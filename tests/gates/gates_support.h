@@ -29,6 +29,7 @@ struct Run {
 
   [[nodiscard]] std::filesystem::path map() const { return out / "map.wardmap"; }
   [[nodiscard]] core::Trajectory trajectory() const;
+  [[nodiscard]] core::Trajectory liveTrajectory() const;  ///< As told while it ran.
   [[nodiscard]] nlohmann::json summary() const;
 };
 

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "gates/agreement.h"
-#include "gates/figures.h"
 #include "gates/floor_fixture.h"
 
 /// A round that comes back to where it began: the loop moves everything, and everything has to move alike.
@@ -9,6 +8,8 @@ namespace wardslam::gates {
 namespace {
 
 constexpr double kMost_m = 0.001;
+constexpr double kSame_m = 1e-6;
+constexpr double kSameInSinglePrecision_m = 1e-5;
 
 enum class Mode { Deterministic, Threads };
 
@@ -27,11 +28,19 @@ TEST_P(Loop, LeavesThingsInTheirCloud) {
 }
 
 TEST_P(Loop, MovesAllAsTheTrajectory) {
-  const auto found = figuresOf([] { return disagreementIn(GetParam()); });
-  if (!found || found->keyframes == 0 || found->objects == 0) GTEST_SKIP() << "there is nothing to compare";
-  EXPECT_LE(found->keyframe_m, kMost_m);
-  EXPECT_LE(found->cloud_m, kMost_m);
-  EXPECT_LE(found->object_m, kMost_m);
+  const Disagreement found = disagreementIn(GetParam());
+  ASSERT_GT(found.keyframes, 50U);
+  ASSERT_GT(found.objects, 5U);
+  EXPECT_LE(found.keyframe_m, kSame_m);
+  EXPECT_LE(found.cloud_m, kSame_m);
+  EXPECT_LE(found.object_m, kSameInSinglePrecision_m);
+}
+
+TEST_P(Loop, ReachesTheLivePose) {
+  const Continuity found =
+      continuityOf(floorRendering(), GetParam() == Mode::Threads ? floorRunWithThreads() : floorRun());
+  EXPECT_LE(found.step_m, 0.03);
+  EXPECT_LE(found.liveInEnd_m, 0.02);
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, Loop, ::testing::Values(Mode::Deterministic, Mode::Threads),

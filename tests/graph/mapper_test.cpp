@@ -96,6 +96,38 @@ TEST_F(MapperTest, GoesOnWithAnEarlierMap) {
   EXPECT_LT(error_m(mapper, kKeyframes + 3), 0.02) << "in the frame of the earlier map";
 }
 
+TEST_F(MapperTest, AHeldMapStaysAsItIsToTheLastBitAndWhatComesIsFittedToIt) {
+  Mapper earlier(fewAndFast(), {});
+  walk(earlier, kSlip);
+  SavedGraph saved = save(earlier.graph());
+  const auto& someKeyframe = *saved.keyframes.at(saved.keyframes.size() / 2);
+  saved.p_map_m.at(someKeyframe.sightings.front().point).x() += 0.1;  // adjustment would mend this
+
+  Mapper mapper(fewAndFast(), {});
+  mapper.restore(saved, Saved::IsHeld);
+  walk_.loseTrack();
+  for (int i = 0; i < kRound + 20; ++i) {
+    const auto update = mapper.insert(walk_.step());
+    for (const auto& [id, pose] : update.T_map_cam) EXPECT_GT(id, KeyframeId{kKeyframes}) << "nothing else may move";
+    for (const auto& removed : update.removedKeyframes) EXPECT_GT(removed.id, KeyframeId{kKeyframes});
+    for (const PointId point : update.removedPoints) EXPECT_EQ(saved.p_map_m.count(point), 0U);
+  }
+  EXPECT_GE(mapper.submapsJoined(), 1U);
+  mapper.adjustAll();
+  for (const auto& keyframe : saved.keyframes) {
+    ASSERT_EQ(mapper.graph().keyframes().count(keyframe->id), 1U);
+    EXPECT_EQ(mapper.graph().keyframes().at(keyframe->id).T_map_cam.matrix(), keyframe->T_map_cam.matrix());
+  }
+  for (const auto& [id, p_map_m] : saved.p_map_m) {
+    ASSERT_EQ(mapper.graph().points().count(id), 1U) << id;
+    EXPECT_EQ(mapper.graph().points().at(id).point.p_map_m, p_map_m) << id;
+  }
+  for (const auto& [id, node] : mapper.graph().keyframes()) {
+    if (node.isHeld) continue;
+    EXPECT_LT(error_m(mapper, id), 0.03) << id;
+  }
+}
+
 TEST_F(MapperTest, LeavesTheSlipWhenToldToCloseNothing) {
   GraphOptions options = fewAndFast();
   options.close_loops = false;
@@ -125,11 +157,37 @@ TEST_F(MapperTest, AdjustsEverythingOnceMoreAtTheEnd) {
   for (const auto& keyframe : walk_.walk(8)) insert(mapper, keyframe);
   walk_.loseTrack();
   for (const auto& keyframe : walk_.walk(4)) insert(mapper, keyframe);
-  mapper.adjustAll();
+  const auto update = mapper.adjustAll();
   const auto T = [&](KeyframeId id) { return mapper.graph().keyframes().at(id).T_map_cam; };
   EXPECT_LT(error_m(mapper, 8), 0.01);
   EXPECT_TRUE(T(9).isApprox(Eigen::Isometry3d::Identity())) << "each submap has its own frame";
   EXPECT_LT(test::distance_m(T(12), walk_.T_first_cam(9).inverse() * walk_.T_first_cam(12)), 0.01);
+  EXPECT_EQ(update.newestKeyframe, 12U);
+  ASSERT_EQ(update.T_map_cam.size(), 12U);
+  for (const auto& [id, pose] : update.T_map_cam) EXPECT_EQ(pose.matrix(), T(id).matrix()) << id;
+  ASSERT_EQ(update.p_map_m.size(), mapper.graph().points().size());
+  for (const auto& [id, p_map_m] : update.p_map_m) EXPECT_EQ(p_map_m, mapper.graph().points().at(id).point.p_map_m);
+  EXPECT_TRUE(Mapper(options, {}).adjustAll().T_map_cam.empty()) << "of nothing";
+}
+
+/// All that ever moved was told: who keeps books has the graph's poses.
+TEST_F(MapperTest, SaysOfEveryUpdateUpToWhichKeyframeItKnows) {
+  Mapper mapper(fewAndFast(), {});
+  std::map<KeyframeId, Eigen::Isometry3d> books;
+  for (int i = 0; i < kKeyframes; ++i) {
+    const bool slips = i == kRound / 2;
+    if (slips) walk_.forgetPoints();
+    const auto keyframe = walk_.step(slips ? kSlip : Eigen::Isometry3d::Identity());
+    const auto update = mapper.insert(keyframe);
+    EXPECT_EQ(update.newestKeyframe, keyframe->id);
+    EXPECT_EQ(update.submap, keyframe->submap);
+    EXPECT_EQ(update.T_map_cam.count(keyframe->id), 1U) << keyframe->id;
+    for (const auto& [id, pose] : update.T_map_cam) books[id] = pose;
+    for (const auto& removed : update.removedKeyframes) books.erase(removed.id);
+  }
+  ASSERT_GE(mapper.loops().size(), 1U);
+  ASSERT_EQ(books.size(), mapper.graph().keyframes().size());
+  for (const auto& [id, pose] : books) EXPECT_EQ(pose.matrix(), mapper.graph().keyframes().at(id).T_map_cam.matrix());
 }
 
 TEST_F(MapperTest, DropsPointsThatNobodySeesAgain) {
@@ -289,7 +347,7 @@ TEST(MapperInStage, InTheCallingThreadUpdatesAreThereAtOnce) {
     atOnce.insert(keyframe);
     const auto updates = atOnce.takeUpdates();
     ASSERT_EQ(updates.size(), 1U);
-    EXPECT_EQ(updates[0].T_map_cam.count(keyframe->id), i == 0 ? 0U : 1U) << "all but the first move";
+    EXPECT_EQ(updates[0].T_map_cam.count(keyframe->id), 1U) << "moved or not";
     EXPECT_TRUE(atOnce.takeUpdates().empty()) << "each is handed out once";
   }
   EXPECT_EQ(atOnce.finish()->graph().keyframes().size(), 4U);

@@ -44,7 +44,7 @@ class Square {
     PoseGraphOptions options;
     options.solver = solver;
     options.max_iterations = 100;
-    optimise(poses_, loops_, options);
+    optimise(poses_, loops_, {}, options);
   }
 
   [[nodiscard]] Eigen::Isometry3d pose(KeyframeId id) const { return core::fromMrpt(poses_.nodes.at(id)); }

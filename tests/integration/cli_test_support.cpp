@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -61,6 +62,13 @@ RunningProgram::~RunningProgram() {
 }
 
 void RunningProgram::send(int signal) const { kill(pid_, signal); }
+
+void RunningProgram::limitFiles(std::optional<std::uint64_t> bytes) const {
+  rlimit limit{};
+  if (prlimit(pid_, RLIMIT_FSIZE, nullptr, &limit) != 0) throw std::runtime_error("the program has no limits");
+  limit.rlim_cur = bytes ? static_cast<rlim_t>(*bytes) : limit.rlim_max;
+  if (prlimit(pid_, RLIMIT_FSIZE, &limit, nullptr) != 0) throw std::runtime_error("limits cannot be set");
+}
 
 CommandResult RunningProgram::wait() {
   CommandResult result;

@@ -2,6 +2,8 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,9 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   void send(int signal) const;
+
+  /// From now on no file of it can grow beyond so many bytes, as if the disk were full; without a number, it can.
+  void limitFiles(std::optional<std::uint64_t> bytes) const;
 
   /// To its end.
   [[nodiscard]] CommandResult wait();

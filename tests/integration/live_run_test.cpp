@@ -67,7 +67,8 @@ TEST_F(LiveRun, TracksACamera) {
   EXPECT_EQ(live["reconnects"], 0);
   EXPECT_GT(live["latency"]["median_ms"], 0.0);
   EXPECT_LE(live["latency"]["median_ms"], live["latency"]["p95_ms"]);
-  EXPECT_THAT(result.err, MatchesRegex("wardslam: [0-9]+ images came, 30 were worked on, .*\n"));
+  EXPECT_THAT(result.err, MatchesRegex("wardslam: [0-9]+ images came, 30 were worked on, [^\n]*\n"
+                                       "(wardslam: not everything is in the map: [^\n]*\n)?"));
 }
 
 TEST_F(LiveRun, GoesOnWhenTheCameraIsUnpluggedAndBack) {

@@ -12,9 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string stamp(int listing) {
+std::string stampText(double start_s, int listing) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6f", 1000.0 + listing / 32.0);
+  std::snprintf(text, sizeof text, "%.6f", start_s + listing / 32.0);
   return text;
 }
 
@@ -43,7 +43,8 @@ std::string poseLine(const std::string& stampText, const Eigen::Isometry3d& T) {
 
 }  // namespace
 
-RoomRecording::RoomRecording(int images, int listed) {
+RoomRecording::RoomRecording(int images, int listed, double start_s) {
+  const auto stamp = [start_s](int listing) { return stampText(start_s, listing); };
   const TexturedRoom room;
   for (int image = 0; image < images; ++image) {
     const auto view = room.look(TexturedRoom::T_room_cam(image));

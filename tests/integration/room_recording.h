@@ -12,7 +12,7 @@ namespace wardslam::test {
 class RoomRecording {
  public:
   /// `images` are drawn; the lists name `listed` of them, back and forth over the same images where that is more.
-  explicit RoomRecording(int images = 12, int listed = 0);
+  explicit RoomRecording(int images = 12, int listed = 0, double start_s = 1000.0);
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
   [[nodiscard]] std::filesystem::path groundTruth() const { return path() / "groundtruth.txt"; }
@@ -30,7 +30,7 @@ class RoomRecording {
 /// Keeps the first `part` (0..1) of a file.
 void cutOff(const std::filesystem::path& file, double part);
 
-/// Replaces a depth image by one of half the size.
+/// Replaces an image by one of half the size.
 void shrinkImage(const std::filesystem::path& file);
 
 }  // namespace wardslam::test

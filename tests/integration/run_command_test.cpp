@@ -12,6 +12,7 @@
 
 #include "cli_test_support.h"
 #include "room_recording.h"
+#include "run_fixture.h"
 
 namespace wardslam {
 namespace {
@@ -27,51 +28,8 @@ using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 using Arguments = std::vector<std::string>;
-
-constexpr int kImages = 12;
-
-class RunCommand : public ::testing::Test {
- protected:
-  /// `wardslam run INPUT --out <out> …`
-  [[nodiscard]] test::CommandResult run(const fs::path& input, const Arguments& more = {"--filter", "off"}) const {
-    return test::runProgram("wardslam", argumentsOf(input, more));
-  }
-  [[nodiscard]] Arguments argumentsOf(const fs::path& input, const Arguments& more) const {
-    Arguments arguments = {"run", input, "--out", out};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  }
-
-  [[nodiscard]] nlohmann::json summary() const { return nlohmann::json::parse(test::readText(out / "summary.json")); }
-
-  /// The poses written, a line each.
-  [[nodiscard]] std::vector<std::string> trajectory() const {
-    std::istringstream text(test::readText(out / "trajectory.txt"));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(text, line);) {
-      if (line.front() != '#') lines.push_back(line);
-    }
-    return lines;
-  }
-
-  /// Exit code, nothing on standard output and exactly one sentence on standard error.
-  static void expectError(const test::CommandResult& result, int exitCode, const std::string& part) {
-    EXPECT_EQ(result.exitCode, exitCode);
-    EXPECT_THAT(result.out, IsEmpty());
-    EXPECT_THAT(result.err, AllOf(StartsWith("wardslam: "), HasSubstr(part), EndsWith("\n")));
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  }
-
-  /// What could be tracked is on disk in full, and the summary tells what was left out.
-  void expectTheRest(std::size_t frames, const std::string& damage) const {
-    EXPECT_THAT(trajectory(), SizeIs(frames));
-    EXPECT_EQ(summary().at("frames"), frames);
-    EXPECT_EQ(summary().at("damaged_input").value(damage, 0), 1) << summary();
-  }
-
-  test::TemporaryFolder folder;
-  const fs::path out = folder.path() / "results";
-};
+using test::kImages;
+using RunCommand = test::RunCommand;
 
 TEST_F(RunCommand, WritesTrajectorySummaryAndConfiguration) {
   const test::RoomRecording room(kImages);

@@ -16,11 +16,14 @@ using scene::chair;
 using scene::Thing;
 using scene::wall;
 
-odometry::Keyframe keyframe(odometry::KeyframeId id, const Eigen::Isometry3d& T_map_cam, std::uint32_t submap = 0) {
+/// As tracking hands it over: by the map as it knows it, and by the keyframe before.
+odometry::Keyframe keyframe(odometry::KeyframeId id, const Eigen::Isometry3d& T_map_cam, std::uint32_t submap = 0,
+                            const Eigen::Isometry3d& T_map_previous = cameraAt({0, 0, 1})) {
   odometry::Keyframe keyframe;
   keyframe.id = id;
   keyframe.submap = submap;
   keyframe.T_map_cam = T_map_cam;
+  keyframe.T_previous_cam = T_map_previous.inverse() * T_map_cam;
   return keyframe;
 }
 
@@ -299,8 +302,31 @@ TEST_F(MapBuilderTest, AnotherSubmapBelongsToTheMapOnceItIsJoined) {
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_NEAR(objects().front().box_m.center().y(), 0.0, 0.03);
   EXPECT_EQ(builder_.map().keyframes.count(2), 1U);
-  builder_.addKeyframe(keyframe(3, cameraAt({0, 0, 1}), 1));  // odometry has not heard of it yet
-  EXPECT_EQ(builder_.map().keyframes.count(3), 1U);
+  builder_.addKeyframe(keyframe(3, cameraAt({0, 5.5, 1}), 1, T_other_cam));  // odometry has not heard of it yet
+  ASSERT_EQ(builder_.map().keyframes.count(3), 1U);
+  EXPECT_TRUE(builder_.map().keyframes.at(3).T_map_cam.isApprox(cameraAt({0, 0.5, 1}), 1e-9));
+}
+
+TEST_F(MapBuilderTest, WhatIsYoungerThanAnUpdateMovesAsItsNewestKeyframe) {
+  const std::vector<Thing> things{wall(), chair(2, 0, 1)};
+  const Eigen::Isometry3d second = cameraAt({-0.3, 0, 1});
+  builder_.addKeyframe(keyframe(2, second));
+  for (int i = 0; i < 2; ++i) builder_.add(scene::render(things, second, stamp_s_ += 0.2, 2, second));
+  builder_.addKeyframe(keyframe(3, cameraAt({7, 0, 1}), 1));  // of another submap, in a frame of its own
+  static_cast<void>(builder_.takeChanges());
+  odometry::MapUpdate update;
+  update.newestKeyframe = 1;
+  update.T_map_cam[1] = cameraAt({0, 2, 1});  // 2 m aside
+  update.joined = odometry::SubmapJoin{1, 0};
+  builder_.apply(update);
+  EXPECT_EQ(builder_.takeChanges().keyframes.count(2), 1U);
+  for (int i = 0; i < 2; ++i) builder_.add(scene::render(things, second, stamp_s_ += 0.2, 2, second));  // was underway
+  const SemanticMap map = builder_.map();
+  EXPECT_TRUE(map.keyframes.at(2).T_map_cam.isApprox(cameraAt({-0.3, 2, 1}), 1e-9));
+  EXPECT_TRUE(map.keyframes.at(3).T_map_cam.isApprox(cameraAt({7, 0, 1}), 1e-9)) << "it is no matter of theirs";
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects().front().state, ObjectState::Static);
+  EXPECT_NEAR(objects().front().box_m.center().y(), 2.0, 0.03);
 }
 
 TEST_F(MapBuilderTest, TellsWhatChanged) {

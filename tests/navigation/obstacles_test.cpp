@@ -117,9 +117,22 @@ TEST_F(ObstaclesOfAFrame, MayBeOnlyWhatMayMove) {
   EXPECT_TRUE(holds(sensed, {2.0F, -1.0F, 1.0F}));
 }
 
-TEST_F(ObstaclesOfAFrame, NeedAPose) {
+TEST_F(ObstaclesOfAFrame, WithoutAPoseLieBeforeTheRobotWhereverItIs) {
+  Obstacles obstacles(emptyPlan(), options_);
+  obstacles.onFrame(frame_, odometry_);
   odometry_.state = odometry::State::Lost;
-  EXPECT_TRUE(sense().p_base_m.empty());
+  frame_.T_base_cam = Eigen::Translation3d(0.2, 0.0, 1.0) * core::T_sensor_cam();
+  frame_.stamp_s = 6.0;
+  obstacles.onFrame(frame_, odometry_);
+  for (const double x_m : {0.0, 3.0}) {
+    const auto sensed = obstacles.sense(robotAt(x_m, 1.0, 1.0));
+    EXPECT_EQ(sensed.p_base_m.size(), 3U);
+    EXPECT_TRUE(holds(sensed, {2.2F, 0.0F, 1.0F}));
+    EXPECT_EQ(sensed.stamp_s, 6.0);
+  }
+  odometry_.state = odometry::State::Ok;
+  obstacles.onFrame(frame_, odometry_);
+  EXPECT_TRUE(holds(obstacles.sense(robotAt(0.0, 0.0, 0.0)), {2.0F, 0.0F, 1.0F})) << "in the map again";
 }
 
 TEST(Obstacles, FillWhatMrptsNavigatorsAskFor) {

@@ -120,6 +120,21 @@ TEST_F(LocalMapTest, TakesOverBetterPositionsAndRemovals) {
   EXPECT_THAT(map_.neighbourhood({moved}), ElementsAre(moved));
 }
 
+TEST_F(LocalMapTest, MovesPointsMadeFromOneOn) {
+  const PointId older = map_.add(pointAt(0));
+  const PointId first = map_.nextId();
+  EXPECT_EQ(map_.add(pointAt(1)), first);
+  const PointId later = map_.add(pointAt(2));
+  const MapPoint before = *map_.find(later);
+  const Eigen::Isometry3d quarterTurn(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
+  map_.movePoints(first, quarterTurn);
+  EXPECT_TRUE(map_.find(older)->p_map_m.isApprox(Eigen::Vector3d(0, 0, 2)));
+  EXPECT_TRUE(map_.find(first)->p_map_m.isApprox(Eigen::Vector3d(0, 1, 2)));
+  EXPECT_TRUE(map_.find(later)->p_map_m.isApprox(Eigen::Vector3d(0, 2, 2)));
+  EXPECT_TRUE(map_.find(later)->viewedFrom_map_m.isApprox(quarterTurn * before.viewedFrom_map_m));
+  EXPECT_NEAR(map_.find(later)->information_per_m2(1, 1), before.information_per_m2(0, 0), 1e-9) << "turned along";
+}
+
 TEST_F(LocalMapTest, AFusedPointHandsItsKeyframesOn) {
   const PointId old = map_.add(pointAt(0));
   const PointId twin = map_.add(pointAt(0.01));

@@ -5,8 +5,10 @@
 #include <memory>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "odometry/synthetic_world.h"
+#include "wardslam/odometry/map_point.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -206,17 +208,101 @@ TEST_F(OdometryTest, SameInputSameOutput) {
   }
 }
 
-TEST_F(OdometryTest, MovesAlongWhenItsKeyframeIsCorrected) {
-  trackImage(0);
-  const auto before = trackImage(1);
-  const Eigen::Isometry3d correction(Eigen::Translation3d(0.5, 0, 0));
-  MapUpdate update;
-  update.T_map_cam[before.referenceKeyframe] = correction;  // it was at the origin
-  odometry_.apply(update);
-  // With the points where they were, the next image puts the camera back to where it is.
-  const auto result = trackImage(2);
-  EXPECT_EQ(result.referenceKeyframe, before.referenceKeyframe);
-  EXPECT_TRUE((correction * result.T_keyframe_cam).isApprox(result.T_map_cam, 1e-9));
+/// Two cameras that see the same; the map tells one of them that it all lies elsewhere.
+class OdometryCorrected : public OdometryTest {
+ protected:
+  struct Both {
+    OdometryResult corrected;
+    OdometryResult untouched;
+  };
+
+  /// No image: both are where they believed to be.
+  Both trackBoth(int image) {
+    stamp_s_ += 1.0 / 30;
+    const auto features =
+        image < 0 ? core::Features{} : world_.look(SyntheticWorld::T_world_cam(image, kImages), kNoise);
+    Both both{odometry_.track(stamp_s_, SyntheticWorld::camera(), features),
+              untouched_.track(stamp_s_, SyntheticWorld::camera(), features)};
+    if (both.corrected.keyframe) keyframes_.push_back(both.corrected.keyframe);
+    return both;
+  }
+  Both trackUntilKeyframes(std::size_t count) {
+    Both both;
+    while (keyframes_.size() < count) both = trackBoth(image_++);
+    return both;
+  }
+
+  /// What a mapper says that has worked in so many keyframes, and finds all it knows elsewhere.
+  [[nodiscard]] MapUpdate correctionUpTo(std::size_t count, const Eigen::Isometry3d& correction) const {
+    MapUpdate update;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Keyframe& keyframe = *keyframes_[k];
+      update.newestKeyframe = keyframe.id;
+      update.T_map_cam[keyframe.id] = correction * keyframe.T_map_cam;
+      for (const Sighting& sighting : keyframe.sightings) {
+        const auto& keypoint = keyframe.features.keypoints[sighting.keypoint];
+        const MapPoint point = makeMapPoint(keypoint, {}, keyframe.camera, keyframe.T_map_cam);
+        update.p_map_m.try_emplace(sighting.point, correction * point.p_map_m);
+      }
+    }
+    return update;
+  }
+
+  Odometry untouched_{options()};
+  std::vector<std::shared_ptr<const Keyframe>> keyframes_;
+  int image_ = 0;
+  const Eigen::Isometry3d correction_ =
+      Eigen::Translation3d(0.5, -0.2, 0.1) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY());
+};
+
+TEST_F(OdometryCorrected, TheCameraMovesAlongWithItsKeyframe) {
+  trackUntilKeyframes(1);
+  trackBoth(image_++);
+  EXPECT_TRUE(odometry_.apply(correctionUpTo(1, correction_)).isApprox(correction_, 1e-9));
+  const auto [corrected, untouched] = trackBoth(-1);
+  EXPECT_TRUE(corrected.T_map_cam.isApprox(correction_ * untouched.T_map_cam, 1e-9));
+  EXPECT_TRUE(corrected.T_keyframe_cam.isApprox(untouched.T_keyframe_cam, 1e-9));
+}
+
+TEST_F(OdometryCorrected, WhatTheMapperDidNotKnowYetFollowsTheNewestKeyframeItKnew) {
+  trackUntilKeyframes(4);
+  trackBoth(image_++);
+  odometry_.apply(correctionUpTo(2, correction_));
+  for (int i = 0; i < 3; ++i) {
+    const auto [corrected, untouched] = trackBoth(image_++);
+    ASSERT_EQ(corrected.state, State::Ok);
+    EXPECT_LT(distance_m(corrected.T_map_cam, correction_ * untouched.T_map_cam), 0.003);
+    EXPECT_LT(distance_m(corrected.T_keyframe_cam, untouched.T_keyframe_cam), 0.003) << "no step in the trajectory";
+    EXPECT_GT(corrected.inliers, untouched.inliers * 4 / 5) << "points of younger keyframes are where they belong";
+  }
+}
+
+TEST_F(OdometryCorrected, ACorrectionIsNotAppliedTwice) {
+  trackUntilKeyframes(3);
+  trackBoth(image_++);
+  odometry_.apply(correctionUpTo(1, correction_));
+  EXPECT_TRUE(odometry_.apply(correctionUpTo(2, correction_)).isApprox(Eigen::Isometry3d::Identity(), 1e-9))
+      << "the mapper places a keyframe by the one before, too";
+  const auto [corrected, untouched] = trackBoth(-1);
+  EXPECT_TRUE(corrected.T_map_cam.isApprox(correction_ * untouched.T_map_cam, 1e-9));
+}
+
+TEST_F(OdometryCorrected, ALateUpdateOfASubmapThatWasLeftChangesNothing) {
+  trackUntilKeyframes(2);
+  const MapUpdate late = correctionUpTo(2, correction_);
+  for (int i = 0; i <= options().max_lost_frames; ++i) trackBoth(-1);
+  const auto begun = trackBoth(image_++).corrected;
+  ASSERT_NE(begun.keyframe, nullptr);
+  ASSERT_EQ(begun.keyframe->submap, 1U);
+  MapUpdate recalling = late;
+  recalling.recalledKeyframes[1] = {1};
+  recalling.recalledPoints[1] = MapPoint();
+  EXPECT_TRUE(odometry_.apply(recalling).isApprox(Eigen::Isometry3d::Identity(), 1e-9));
+  for (int i = 0; i < 3; ++i) {
+    const auto [corrected, untouched] = trackBoth(image_++);
+    EXPECT_EQ(corrected.T_map_cam.matrix(), untouched.T_map_cam.matrix());
+    EXPECT_EQ(corrected.matches, untouched.matches);
+  }
 }
 
 TEST(State, HasAName) {

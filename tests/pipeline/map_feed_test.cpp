@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <future>
 
 #include "support/hand_made_map.h"
@@ -58,7 +59,7 @@ class MapFeedTest : public testing::Test {
   mapping::SemanticMap ward_ = test::makeWard();
   core::Profiler profiler_;
   core::Stage<mapping::MapBuilder> stage_{makeBuilder(), core::StageThread::Caller};
-  MapFeed feed_{stage_, {{}, false}, profiler_};
+  MapFeed feed_{stage_, {{}, false}, profiler_, WhenBehind::LeavesViewsOut};
 };
 
 TEST_F(MapFeedTest, AKeyframeIsThereBeforeWhatTheGraphSaysOfIt) {
@@ -97,26 +98,51 @@ TEST_F(MapFeedTest, WithoutAFileNothingIsWritten) {
   EXPECT_EQ(calls("storage.write"), 0U);
 }
 
-TEST_F(MapFeedTest, ViewsThatAreNoKeyframesAreLeftOutFirst) {
+/// Keeps a stage busy until it is opened.
+class Gate {
+ public:
+  explicit Gate(core::Stage<mapping::MapBuilder>& stage) {
+    stage.post([this](mapping::MapBuilder&) {
+      reached_.set_value();
+      open_.get_future().wait();
+    });
+    reached_.get_future().wait();
+  }
+  void open() { open_.set_value(); }
+
+ private:
+  std::promise<void> reached_;
+  std::promise<void> open_;
+};
+
+TEST_F(MapFeedTest, OfACameraOnlyViewsThatAreNoKeyframesAreLeftOut) {
   core::Stage<mapping::MapBuilder> stage(makeBuilder(), core::StageThread::Own, {64, 2});
-  std::promise<void> reached;
-  std::promise<void> open;
-  stage.post([&](mapping::MapBuilder&) {
-    reached.set_value();
-    open.get_future().wait();
+  Gate gate(stage);
+  MapFeed feed(stage, {{}, false}, profiler_, WhenBehind::LeavesViewsOut);
+  for (const odometry::KeyframeId id : {1, 2, 3}) {
+    update(feed, id, true);
+    update(feed, id, false);
+  }
+  EXPECT_EQ(stage.leftOut(), 1U);
+  gate.open();
+  EXPECT_EQ(stage.finish()->map().keyframes.size(), 3U);
+  EXPECT_EQ(calls("mapping.add"), 5U) << "all three keyframes' and two of the others";
+}
+
+TEST_F(MapFeedTest, ARecordingWaitsUntilEveryViewIsWorkedIn) {
+  core::Stage<mapping::MapBuilder> stage(makeBuilder(), core::StageThread::Own, {2, 0});
+  Gate gate(stage);
+  MapFeed feed(stage, {{}, false}, profiler_, WhenBehind::Waits);
+  auto recording = std::async(std::launch::async, [&] {
+    update(feed, 1, true);
+    for (int i = 0; i < 20; ++i) update(feed, 1, false);
   });
-  reached.get_future().wait();
-  MapFeed feed(stage, {{}, false}, profiler_);
-  update(feed, 1, true);
-  update(feed, 1, false);
-  update(feed, 1, false);
-  update(feed, 2, true);
-  EXPECT_EQ(stage.leftOut(), 2U) << "both that are no keyframes";
-  update(feed, 3, true);
-  EXPECT_EQ(stage.leftOut(), 3U);
-  open.set_value();
-  EXPECT_EQ(stage.finish()->map().keyframes.size(), 3U) << "keyframes themselves are never left out";
-  EXPECT_EQ(calls("mapping.add"), 2U);
+  EXPECT_EQ(recording.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
+  gate.open();
+  recording.get();
+  (void)stage.finish();
+  EXPECT_EQ(stage.leftOut(), 0U);
+  EXPECT_EQ(calls("mapping.add"), 21U);
 }
 
 }  // namespace

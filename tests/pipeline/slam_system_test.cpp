@@ -3,14 +3,20 @@
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include <algorithm>
+#include <new>
+#include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
 
 #include "support/complaint.h"
+#include "support/full_disk.h"
 #include "support/temporary_folder.h"
 #include "support/textured_room_scan.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/storage/map_file.h"
+#include "wardslam/storage/map_file_writer.h"
 
 namespace wardslam::test {
 
@@ -128,12 +134,38 @@ TEST_F(SlamSystemTest, InThreadsOrNotTheMapHoldsAllKeyframesInTheEnd) {
     EXPECT_EQ(slam.mapper().graph().keyframes().size(), keyframes);
     EXPECT_EQ(slam.semanticMap().keyframes.size(), keyframes);
     EXPECT_EQ(slam.mapBuilder()->map().keyframes.size(), keyframes);
-    EXPECT_EQ(slam.viewsLeftOut(), 0U);
+    EXPECT_THAT(slam.leftOut(), testing::IsEmpty());
     const auto* mapper = &slam.mapper();
     slam.finish();
     EXPECT_EQ(&slam.mapper(), mapper) << "asking twice does no harm";
     EXPECT_EQ(slam.semanticMap().keyframes.size(), keyframes);
     EXPECT_EQ(slam.trajectory().size(), 10U);
+  }
+}
+
+/// The last adjustment of all included.
+TEST_F(SlamSystemTest, GraphMapFileAndTrajectoryAgreeInTheEnd) {
+  for (const bool deterministic : {true, false}) {
+    const test::TemporaryFolder folder;
+    SlamOptions options = withoutFilters();
+    options.deterministic = deterministic;
+    storage::MapFileWriter writer(folder.path() / "map.wardmap", {});
+    SlamSystem slam(options);
+    slam.writeTo(writer);
+    for (int image = 0; image < 12; ++image) slam.process(observe(room_, image));
+    slam.finish();
+    writer.finish(*slam.mapBuilder(), slam.mapper());
+    const auto inFile = storage::MapFile::open(folder.path() / "map.wardmap").read().keyframes;
+    const auto trajectory = slam.trajectory();
+    ASSERT_GE(inFile.size(), 2U);
+    for (const auto& [id, keyframe] : inFile) {
+      const auto& T_graph = slam.mapper().graph().keyframes().at(id).T_map_cam;
+      EXPECT_TRUE(keyframe.T_map_cam.isApprox(T_graph, 1e-9)) << id << ", deterministic: " << deterministic;
+      const auto pose = std::find_if(trajectory.begin(), trajectory.end(),
+                                     [&stamp_s = keyframe.stamp_s](const auto& p) { return p.stamp_s == stamp_s; });
+      ASSERT_NE(pose, trajectory.end());
+      EXPECT_TRUE(pose->T_map_cam.isApprox(T_graph, 1e-9)) << id << ", deterministic: " << deterministic;
+    }
   }
 }
 
@@ -157,7 +189,7 @@ TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
     SlamSystem first(options);
     for (int image = 0; image < 10; ++image) first.process(observe(room_, image));
     first.finish();
-    earlier = {graph::save(first.mapper().graph()), first.semanticMap()};
+    earlier = {graph::save(first.mapper().graph()), first.semanticMap(), graph::Saved::MayChange};
   }
   ASSERT_FALSE(earlier.graph.keyframes.empty());
   SlamSystem second(options, earlier);
@@ -172,6 +204,34 @@ TEST_F(SlamSystemTest, GoesOnInTheMapOfAnEarlierRun) {
   }
   EXPECT_GT(second.semanticMap().keyframes.size(), earlier.semantic.keyframes.size());
   EXPECT_EQ(second.semanticMap().cloud.count(1), 1U) << "what the first run saw";
+}
+
+TEST_F(SlamSystemTest, LocalisesInAMapWithoutMovingIt) {
+  for (const bool deterministic : {true, false}) {
+    SlamOptions options = withoutFilters();
+    options.deterministic = true;
+    SlamSystem first(options);
+    for (int image = 0; image < 20; ++image) first.process(observe(room_, image));
+    first.finish();
+    const EarlierMap earlier{graph::save(first.mapper().graph()), first.semanticMap(), graph::Saved::IsHeld};
+
+    options.deterministic = deterministic;
+    options.mapping.enabled = false;
+    SlamSystem second(options, earlier);
+    for (int image = 0; image < 20; ++image) second.process(observe(room_, image));
+    second.finish();
+    EXPECT_EQ(second.mapper().submapsJoined(), 1U);
+    const auto trajectory = second.trajectory();
+    ASSERT_EQ(trajectory.size(), 20U);
+    for (const auto& keyframe : earlier.graph.keyframes) {
+      const auto& T_map_cam = second.mapper().graph().keyframes().at(keyframe->id).T_map_cam;
+      EXPECT_EQ(T_map_cam.matrix(), keyframe->T_map_cam.matrix());
+      const auto again = std::find_if(trajectory.begin(), trajectory.end(),
+                                      [&](const auto& p) { return p.stamp_s == keyframe->stamp_s; });
+      ASSERT_NE(again, trajectory.end());
+      EXPECT_LT((again->T_map_cam.translation() - T_map_cam.translation()).norm(), 0.003) << keyframe->id;
+    }
+  }
 }
 
 TEST_F(SlamSystemTest, ClassesOfAnEarlierMapMustMeanTheSame) {
@@ -226,6 +286,71 @@ TEST_F(SlamSystemTest, AnUnusableObservationIsLeftOutAndItGoesOn) {
   EXPECT_LT((result.T_map_cam.translation() - test::TexturedRoom::T_room_cam(3).translation()).norm(), 0.005);
   EXPECT_THAT(test::RecordingFilter::log(), ElementsAre("initialize", "begin 0", "apply 0", "observer 0 ok",  //
                                                         "begin 1", "apply 1", "observer 1 ok"));
+}
+
+/// Memory is used up while an image is worked on.
+class ExhaustedObserver : public FrameObserver {
+ public:
+  void onFrame(const core::Frame& frame, const odometry::OdometryResult& /*odometry*/) override {
+    if (frame.index == 4) throw std::bad_alloc();
+  }
+};
+
+TEST_F(SlamSystemTest, AfterAnExceptionThereIsAllThatWasFoundUntilThen) {
+  for (const bool deterministic : {true, false}) {
+    SlamOptions options = withoutFilters();
+    options.deterministic = deterministic;
+    SlamSystem slam(options);
+    ExhaustedObserver observer;
+    slam.addObserver(observer);
+    for (int image = 0; image < 4; ++image) slam.process(observe(room_, image));
+    EXPECT_THROW(slam.process(observe(room_, 4)), std::bad_alloc);
+    slam.finish();
+    EXPECT_EQ(slam.trajectory().size(), 5U);
+    EXPECT_FALSE(slam.semanticMap().keyframes.empty());
+  }
+}
+
+TEST_F(SlamSystemTest, AfterAnExceptionInAThreadToo) {
+  const test::TemporaryFolder folder;
+  SlamSystem slam(withoutFilters());
+  storage::MapFileWriter writer(folder.path() / "map.wardmap", {});
+  writer.setWarningSink([](const std::string&) { throw std::bad_alloc(); });
+  slam.writeTo(writer);
+  const test::FullDisk full;
+  int done = 0;
+  const auto processAll = [&] {
+    for (; done < 10; ++done) slam.process(observe(room_, done));
+    slam.finish();
+  };
+  EXPECT_THROW(processAll(), std::bad_alloc);
+  try {
+    slam.finish();
+  } catch (const std::bad_alloc&) {  // where it was process() that threw
+  }
+  EXPECT_GE(slam.trajectory().size(), static_cast<std::size_t>(done));
+  EXPECT_NE(slam.mapBuilder(), nullptr);
+  EXPECT_FALSE(slam.semanticMap().keyframes.empty());
+  EXPECT_FALSE(slam.mapper().graph().keyframes().empty());
+}
+
+TEST_F(SlamSystemTest, AnImageOfAnotherSizeIsLeftOutAndItGoesOn) {
+  SlamSystem slam(withoutFilters());
+  slam.process(observe(room_, 0));
+  const auto smaller = observe(room_, 1);
+  cv::Mat image;
+  cv::resize(smaller->intensityImage.asCvMatRef(), image, {160, 120});
+  smaller->intensityImage = mrpt::img::CImage(image, mrpt::img::DEEP_COPY);
+  smaller->rangeImage_setSize(120, 160);
+  smaller->rangeImage.fill(5000);
+  for (auto* camera : {&smaller->cameraParams, &smaller->cameraParamsIntensity}) {
+    camera->ncols = 160;
+    camera->nrows = 120;
+  }
+  EXPECT_THAT([&] { slam.process(smaller); }, ThrowsMessage<core::FrameError>(HasSubstr("160x120")));
+  EXPECT_EQ(slam.process(observe(room_, 2)).state, odometry::State::Ok);
+  slam.finish();
+  EXPECT_EQ(slam.trajectory().size(), 2U);
 }
 
 TEST_F(SlamSystemTest, TimesItsStages) {

@@ -47,6 +47,18 @@ TEST(StartPose, CanBeGiven) {
   EXPECT_TRUE(T.isApprox(Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()), 1e-5));
 }
 
+TEST(StartPose, LiesWhereCoordinatesAreExact) {
+  MapFrameOptions options;
+  options.start_pose = "600 -799 1 0 0 0 1";
+  EXPECT_NO_THROW(requireValid(options));
+  for (const char* far : {"600 -801 1 0 0 0 1", "450000 5400000 100 0 0 0 1", "1e300 0 0 0 0 0 1"}) {
+    options.start_pose = far;
+    EXPECT_THAT([&] { requireValid(options); },
+                ThrowsMessage<core::InputError>(AllOf(HasSubstr("map_frame.start_pose"), HasSubstr("1000 m"))))
+        << far;
+  }
+}
+
 TEST(StartPose, SaysWhatAPoseIs) {
   for (const char* wrong : {"1 2 3", "1 2 3 0 0 0 0", "1 2 3 0 0 0 1 7", "a b c 0 0 0 1", "nan 0 0 0 0 0 nan"}) {
     MapFrameOptions options;

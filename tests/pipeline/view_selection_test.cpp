@@ -66,7 +66,9 @@ TEST_F(ViewSelectionTest, WithoutMasksNoneWhereTheyAreNeeded) {
   EXPECT_TRUE(isSelected());
   frame_.segmentation = {};
   odometry_.keyframe = std::make_shared<odometry::Keyframe>();
+  EXPECT_EQ(selection_.withoutMasks(), 0U);
   EXPECT_FALSE(isSelected());
+  EXPECT_EQ(selection_.withoutMasks(), 1U);
   selection_ = ViewSelection({}, false);
   EXPECT_TRUE(isSelected());
 }

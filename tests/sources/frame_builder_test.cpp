@@ -44,6 +44,20 @@ TEST(FrameBuilder, NumbersFrames) {
   EXPECT_EQ(builder.build(test::makeScan()).index, 1U);
 }
 
+TEST(FrameBuilder, AnImageOfAnotherSizeIsRefusedAndTakesNoNumber) {
+  FrameBuilder builder;
+  (void)builder.build(test::makeScan());
+  const auto smaller = test::makeScan();
+  smaller->intensityImage = mrpt::img::CImage(cv::Mat(3, 4, CV_8UC1, cv::Scalar(77)), mrpt::img::DEEP_COPY);
+  smaller->rangeImage_setSize(3, 4);
+  smaller->cameraParams.nrows = smaller->cameraParamsIntensity.nrows = 3;
+  smaller->cameraParams.ncols = smaller->cameraParamsIntensity.ncols = 4;
+  EXPECT_THAT([&] { (void)builder.build(smaller); },
+              ThrowsMessage<core::FrameError>(HasSubstr("the image has 4x3 pixels, those before it 8x6")));
+  EXPECT_EQ(builder.build(test::makeScan()).index, 1U);
+  EXPECT_EQ(FrameBuilder().build(smaller).index, 0U) << "nothing is wrong with it by itself";
+}
+
 TEST(FrameBuilder, TakesMonochromeImages) {
   const auto scan = test::makeScan();
   cv::Mat gray(6, 8, CV_8UC1, cv::Scalar(77));

@@ -175,6 +175,13 @@ TEST_F(RawlogFile, AnUnusableScanIsLeftOut) {
   EXPECT_THAT(warnings, ElementsAre(AllOf(HasSubstr("observation 2"), HasSubstr("no calibration"))));
 }
 
+TEST_F(RawlogFile, AScanFromBeforeTheOneDeliveredLastIsLeftOut) {
+  write({makeScan(3), makeScan(1), makeScan(2), makeScan(3), makeScan(4)});
+  EXPECT_THAT(readNumbers(), ElementsAre(3, 3, 4));
+  EXPECT_THAT(damage, ElementsAre(Pair("sources.stamp_goes_back", 2)));
+  EXPECT_THAT(warnings, ElementsAre(AllOf(HasSubstr("observation 2"), HasSubstr("2.000000 s before"))));
+}
+
 TEST_F(RawlogFile, AGivenCameraReplacesTheCalibration) {
   write({makeScan(0, 16, 16)});
   SourceOptions options;

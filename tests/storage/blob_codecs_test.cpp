@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/hand_made_map.h"
 
 namespace wardslam::storage {
@@ -62,6 +64,29 @@ TEST(BlobCodecs, RefuseContentOfAnotherLength) {
   EXPECT_THROW((void)decodeTile(core::pack(core::BlobKind::CloudTile, 1, out.bytes())), core::BlobError);
   EXPECT_THROW((void)decodeCells(core::pack(core::BlobKind::FloorCells, 1, out.bytes())), core::BlobError);
   EXPECT_THROW((void)decodeCells(core::pack(core::BlobKind::FloorCells, 1, {})), core::BlobError);
+}
+
+TEST(BlobCodecs, RefuseWhatNoCameraSees) {
+  const auto sound = test::makeView(1, test::makeWard())->features;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto refuses = [&](float core::Keypoint::*field, float value) {
+    auto features = sound;
+    features.keypoints[3].*field = value;
+    EXPECT_THROW((void)decodeFeatures(encodeFeatures(features)), core::BlobError) << value;
+  };
+  refuses(&core::Keypoint::depth_m, -1.0F);
+  refuses(&core::Keypoint::depth_m, nan);
+  refuses(&core::Keypoint::scale, 0.0F);
+  refuses(&core::Keypoint::angle_rad, nan);
+  auto features = sound;
+  features.keypoints[3].undistorted_px.x = nan;
+  EXPECT_THROW((void)decodeFeatures(encodeFeatures(features)), core::BlobError);
+  EXPECT_THROW((void)decodeFan(encodeFan({{1.0F, nan, 1.0F}})), core::BlobError);
+  EXPECT_THROW((void)decodeFan(encodeFan({{1.0F, 1e30F, 1.0F}})), core::BlobError);
+  mapping::SemanticCloudTile tile;
+  tile.points.resize(1);
+  tile.points[0].p_cam_m = {0.0F, 0.0F, nan};
+  EXPECT_THROW((void)decodeTile(encodeTile(tile)), core::BlobError);
 }
 
 TEST(BlobCodecs, RefuseSizesThatOverflow) {

@@ -3,6 +3,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -315,6 +316,53 @@ TEST_F(MapFileTest, CheckFindsWhatDoesNotFitTogether) {
     runSql(sql);
     EXPECT_THAT(MapFile::open(path_).check(), testing::Contains(HasSubstr(complaint))) << sql;
   }
+}
+
+/// Stands between SQLite and the file system, and notes of every file that is deleted whether its folder is synced.
+class WatchedFileSystem {
+ public:
+  WatchedFileSystem() {
+    inner() = sqlite3_vfs_find(nullptr);
+    synced().clear();
+    watching_ = *inner();
+    watching_.zName = "watching";
+    watching_.xDelete = [](sqlite3_vfs* /*vfs*/, const char* name, int syncsFolder) {
+      synced().push_back(syncsFolder);
+      return inner()->xDelete(inner(), name, syncsFolder);
+    };
+    sqlite3_vfs_register(&watching_, 1);
+  }
+  ~WatchedFileSystem() {
+    sqlite3_vfs_register(inner(), 1);
+    sqlite3_vfs_unregister(&watching_);
+  }
+  WatchedFileSystem(const WatchedFileSystem&) = delete;
+  WatchedFileSystem& operator=(const WatchedFileSystem&) = delete;
+
+  static std::vector<int>& synced() {
+    static std::vector<int> all;
+    return all;
+  }
+
+ private:
+  static sqlite3_vfs*& inner() {
+    static sqlite3_vfs* vfs = nullptr;
+    return vfs;
+  }
+  sqlite3_vfs watching_{};
+};
+
+/// A commit is one once the journal is gone, and a journal is gone once its folder is on the disk.
+TEST_F(MapFileTest, ACommitSurvivesAPowerCut) {
+  const WatchedFileSystem fileSystem;
+  {
+    MapFile file = writeWard();
+    MapChanges changes;
+    changes.removedObjects = {1};
+    file.write(changes);
+  }
+  EXPECT_THAT(WatchedFileSystem::synced(),
+              testing::AllOf(testing::SizeIs(testing::Ge(2U)), testing::Each(testing::Ne(0))));
 }
 
 /// Whatever byte is wrong: a sentence, or a map; never a crash. One in 97 bytes, which reaches every page.

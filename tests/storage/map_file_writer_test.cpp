@@ -2,10 +2,8 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
-#include <csignal>
-
+#include "support/full_disk.h"
 #include "support/hand_made_map.h"
 #include "support/temporary_folder.h"
 #include "wardslam/core/errors.h"
@@ -14,28 +12,8 @@ namespace wardslam::storage {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// While it lives, no file can be longer than a kilobyte, as if the disk were full.
-class FullDisk {
- public:
-  FullDisk() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = 1024;
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
 
 /// A graph and a builder that hear of keyframes together, as in a run.
 class MapFileWriterTest : public testing::Test {
@@ -132,7 +110,7 @@ TEST_F(MapFileWriterTest, InTheEndTheFileHoldsTheGraphAsItIs) {
 TEST_F(MapFileWriterTest, AWriteThatFailsIsMadeUpForLater) {
   insertAndWrite(1);
   {
-    const FullDisk full;
+    const test::FullDisk full;
     insertAndWrite(2);
     EXPECT_THAT(keyframes(), ElementsAre(1));
     EXPECT_THROW(writer_.finish(builder_, mapper_), core::InputError);
@@ -140,6 +118,80 @@ TEST_F(MapFileWriterTest, AWriteThatFailsIsMadeUpForLater) {
   insertAndWrite(3);
   EXPECT_THAT(keyframes(), ElementsAre(1, 2, 3));
   EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+}
+
+TEST_F(MapFileWriterTest, AWriteThatFailsIsToldOnceAndCounted) {
+  std::vector<std::string> told;
+  writer_.setWarningSink([&told](const std::string& sentence) { told.push_back(sentence); });
+  insertAndWrite(1);
+  EXPECT_EQ(writer_.failedWrites(), 0U);
+  for (const odometry::KeyframeId id : {2, 3}) {
+    {
+      const test::FullDisk full;
+      insertAndWrite(id);
+      writer_.write(builder_);
+    }
+    writer_.write(builder_);
+  }
+  EXPECT_EQ(writer_.failedWrites(), 4U);
+  EXPECT_THAT(told, ElementsAre(HasSubstr("is the disk full"), HasSubstr("is the disk full"))) << "once each time";
+  EXPECT_THAT(keyframes(), ElementsAre(1, 2, 3));
+}
+
+/// Another program that reads the map, and goes on reading what it has opened.
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& file) : database_(file.string()) {
+    database_.exec("BEGIN");
+    (void)keyframes();
+  }
+  [[nodiscard]] int keyframes() { return database_.execAndGet("SELECT count(*) FROM keyframes").getInt(); }
+
+ private:
+  SQLite::Database database_;
+};
+
+TEST_F(MapFileWriterTest, AReaderDelaysAndLosesNothing) {
+  std::vector<std::string> told;
+  writer_.setWarningSink([&told](const std::string& sentence) { told.push_back(sentence); });
+  insertAndWrite(1);
+  {
+    Reader reader(path_);
+    insertAndWrite(2);
+    EXPECT_EQ(writer_.failedWrites(), 1U);
+    EXPECT_THAT(told, ElementsAre(HasSubstr("is in use by another program")));
+  }
+  insertAndWrite(3);
+  EXPECT_THAT(keyframes(), ElementsAre(1, 2, 3));
+}
+
+TEST_F(MapFileWriterTest, AReaderThatDoesNotLetGoLosesNothingEither) {
+  insertAndWrite(1);
+  Reader reader(path_);
+  insertAndWrite(2);
+  writer_.finish(builder_, mapper_);
+  EXPECT_EQ(reader.keyframes(), 1) << "it reads on what it has opened";
+  EXPECT_THAT(keyframes(), ElementsAre(1, 2));
+  EXPECT_THAT(MapFile::open(path_).check(), IsEmpty());
+  EXPECT_EQ(MapFile::open(path_).header().options, "deterministic: true\n");
+  EXPECT_FALSE(std::filesystem::exists(path_.string() + ".partial"));
+}
+
+TEST_F(MapFileWriterTest, AnEarlierMapStaysUntilTheFirstKeyframe) {
+  insertAndWrite(1);
+  insertAndWrite(2);
+  MapFileWriter next(path_, {ward_.labels, "deterministic: false\n"});
+  mapping::MapBuilder builder{{}, {ward_.labels, {}, {}}};
+  const graph::Mapper mapper{{}, {}};
+  next.write(builder);
+  next.finish(builder, mapper);
+  EXPECT_THAT(keyframes(), ElementsAre(1, 2)) << "nothing was seen that could take its place";
+  const auto view = test::makeView(3, ward_);
+  builder.addKeyframe(*view);
+  next.add(view);
+  next.write(builder);
+  EXPECT_THAT(keyframes(), ElementsAre(3));
+  EXPECT_EQ(MapFile::open(path_).header().options, "deterministic: false\n");
 }
 
 TEST_F(MapFileWriterTest, GoesOnWithAMapThatIsThere) {

@@ -12,7 +12,8 @@ namespace {
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "blobs are little-endian; this machine needs byte swapping");
 
 constexpr std::size_t kHeaderSize = 2;
-constexpr unsigned long long kLargestContent = 256ULL << 20U;  // what a damaged size can make us allocate
+/// What a damaged size can make us allocate. The largest floor plan (mapping::drawFloorPlan) has 4e8 cells.
+constexpr unsigned long long kLargestContent = 512ULL << 20U;
 
 [[noreturn]] void failDamaged() { throw BlobError("its content is damaged"); }
 
@@ -38,6 +39,7 @@ std::size_t ByteReader::getCount(std::size_t recordSize) {
 }
 
 Bytes pack(BlobKind kind, std::uint8_t version, const Bytes& content, int level) {
+  if (content.size() > kLargestContent) throw BlobError("it is too large: nobody could read it");
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);

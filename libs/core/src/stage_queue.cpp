@@ -14,16 +14,7 @@ StageQueue::StageQueue(StageThread thread, const StageCapacity& capacity) : capa
   if (thread == StageThread::Own) thread_ = std::thread([this] { run(); });
 }
 
-StageQueue::~StageQueue() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-    waiting_.clear();
-    isWaitedFor_ = true;
-  }
-  changed_.notify_all();
-  if (thread_.joinable()) thread_.join();
-}
+StageQueue::~StageQueue() { stop(); }
 
 void StageQueue::post(std::function<void()> task, Necessity necessity) {
   if (isFinished_) throw std::logic_error("a task was posted to a stage that is finished");
@@ -50,6 +41,18 @@ void StageQueue::finish() {
   rethrowFailure();
 }
 
+void StageQueue::stop() {
+  isFinished_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    waiting_.clear();
+    isWaitedFor_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
 std::size_t StageQueue::leftOut() const {
   const std::lock_guard lock(mutex_);
   return leftOut_;
@@ -64,20 +67,16 @@ void StageQueue::enqueue(Waiting waiting) {
     if (failure_) std::rethrow_exception(failure_);
     ++countOf(waiting.necessity);
     waiting_.push_back(std::move(waiting));
-    if (dispensableWaiting_ > capacity_.dispensable) leaveOneOut();
+    if (optionalWaiting_ > capacity_.optional) leaveOneOut();
     isWaitedFor_ = !waiting_.empty();
   }
   changed_.notify_all();
 }
 
 void StageQueue::leaveOneOut() {
-  const auto oldest = [this](Necessity necessity) {
-    return std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.necessity == necessity; });
-  };
-  auto least = oldest(Necessity::Optional);
-  if (least == waiting_.end()) least = oldest(Necessity::Preferred);
-  waiting_.erase(least);
-  --dispensableWaiting_;
+  waiting_.erase(std::find_if(waiting_.begin(), waiting_.end(),
+                              [](const Waiting& task) { return task.necessity == Necessity::Optional; }));
+  --optionalWaiting_;
   ++leftOut_;
 }
 
@@ -113,7 +112,7 @@ std::function<void()> StageQueue::takeNext() {
 }
 
 std::size_t& StageQueue::countOf(Necessity necessity) {
-  return necessity == Necessity::Required ? requiredWaiting_ : dispensableWaiting_;
+  return necessity == Necessity::Required ? requiredWaiting_ : optionalWaiting_;
 }
 
 }  // namespace wardslam::core

@@ -1,10 +1,13 @@
 #include "wardslam/evaluation/object_files.h"
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
+#include "instance_visibility.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::evaluation {
@@ -41,10 +44,34 @@ TrueObject trueObject(const Row& row, const std::string& where) {
   object.classId = static_cast<core::ClassId>(number(row, "class_id", where));
   object.box_m.min() = {number(row, "xmin", where), number(row, "ymin", where), number(row, "zmin", where)};
   object.box_m.max() = {number(row, "xmax", where), number(row, "ymax", where), number(row, "zmax", where)};
-  object.framesVisible = static_cast<int>(number(row, "frames_visible", where));
-  object.maxPixels = static_cast<int>(number(row, "max_pixels", where));
   return object;
 }
+
+/// Tells how well things were seen: by two columns or, where rawlog-synth wrote the file, by the images of instances
+/// beside it.
+class VisibilityOf {
+ public:
+  VisibilityOf(const std::filesystem::path& file, const std::vector<std::string>& columns) {
+    const auto isThere = [&](const char* name) { return std::count(columns.begin(), columns.end(), name) > 0; };
+    if (isThere("frames_visible") || !isThere("instance_id")) return;
+    const auto instances = file.parent_path() / "instances";
+    if (!std::filesystem::is_directory(instances)) {
+      throw core::InputError(file.string() + ": says by no column frames_visible how well things were seen, and " +
+                             instances.string() + " is not there to count it in");
+    }
+    counted_ = countVisibility(instances);
+  }
+
+  [[nodiscard]] Visibility of(const Row& row, const std::string& where) const {
+    const auto whole = [&](const char* column) { return static_cast<int>(number(row, column, where)); };
+    if (!counted_) return {whole("frames_visible"), whole("max_pixels")};
+    const auto found = counted_->find(whole("instance_id"));
+    return found == counted_->end() ? Visibility{} : found->second;
+  }
+
+ private:
+  std::optional<std::map<int, Visibility>> counted_;
+};
 
 Eigen::Vector3d vector(const nlohmann::json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
@@ -68,6 +95,7 @@ std::vector<TrueObject> readTrueObjects(const std::filesystem::path& file) {
   std::string line;
   if (!std::getline(in, line)) throw core::InputError(file.string() + ": cannot be read, or is empty");
   const std::vector<std::string> columns = cells(line);
+  const VisibilityOf visibility(file, columns);
   std::vector<TrueObject> objects;
   for (int number = 2; std::getline(in, line); ++number) {
     if (line.empty()) continue;
@@ -80,6 +108,9 @@ std::vector<TrueObject> readTrueObjects(const std::filesystem::path& file) {
     Row row;
     for (std::size_t i = 0; i < parts.size(); ++i) row[columns[i]] = parts[i];
     objects.push_back(trueObject(row, where));
+    const Visibility seen = visibility.of(row, where);
+    objects.back().framesVisible = seen.frames;
+    objects.back().maxPixels = seen.maxPixels;
   }
   return objects;
 }

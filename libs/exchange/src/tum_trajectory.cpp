@@ -18,6 +18,7 @@ namespace wardslam::exchange {
 namespace {
 
 constexpr std::string_view kSeparators = " \t,\r";
+constexpr double kFarthest_m = 1e8;  ///< No grid on earth counts as far; squares of more may be infinite.
 
 struct Line {
   std::size_t number = 0;
@@ -89,7 +90,11 @@ core::Trajectory readTumTrajectory(const std::filesystem::path& file) {
   for (const Line& line : readLines(file)) {
     const auto row = parseNumbers(line.text);
     if (!row || row->size() != 8) fail(file, line, "the 8 numbers 'timestamp tx ty tz qx qy qz qw'");
-    if (const auto T_map_cam = poseOf(*row)) poses.insert_or_assign(row->front(), *T_map_cam);
+    const auto T_map_cam = poseOf(*row);
+    if (T_map_cam && !(T_map_cam->translation().cwiseAbs().maxCoeff() <= kFarthest_m)) {
+      fail(file, line, "a position in metres on this earth");
+    }
+    if (T_map_cam) poses.insert_or_assign(row->front(), *T_map_cam);
   }
   if (poses.empty()) throw core::InputError(file.string() + ": holds no pose; is it the trajectory you meant?");
 
@@ -132,8 +137,8 @@ void TumTrajectoryWriter::write(const core::StampedPose& pose) {
 
 void TumTrajectoryWriter::finish() {
   if (finished_) return;
-  finished_ = true;
   file_.commit();
+  finished_ = true;
 }
 
 }  // namespace wardslam::exchange

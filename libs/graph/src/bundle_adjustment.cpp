@@ -41,7 +41,9 @@ class AdjustmentProblem {
       : options_(options) {
     for (const PointId id : window.points) {
       const PointNode& node = graph.points().at(id);
-      if (node.seenBy.size() > 1) points_.emplace(id, node.point.p_map_m);  // one sighting tells nothing of poses
+      if (node.seenBy.size() < 2) continue;  // one sighting tells nothing of poses
+      points_.emplace(id, node.point.p_map_m);
+      if (node.isHeld) heldPoints_.insert(id);
     }
     for (const KeyframeId id : window.moved) add(graph.keyframes().at(id), id);
     for (const KeyframeId id : window.fixed) add(graph.keyframes().at(id), id);
@@ -57,6 +59,10 @@ class AdjustmentProblem {
     for (const KeyframeId id : fixed_) {
       double* pose = poses_.at(id).data();
       if (problem.HasParameterBlock(pose)) problem.SetParameterBlockConstant(pose);
+    }
+    for (const PointId id : heldPoints_) {
+      double* position = points_.at(id).data();
+      if (problem.HasParameterBlock(position)) problem.SetParameterBlockConstant(position);
     }
     if (problem.NumResidualBlocks() == 0) return;
     ceres::Solver::Options solver;
@@ -81,6 +87,7 @@ class AdjustmentProblem {
       graph.setPose(id, update.T_map_cam.at(id));
     }
     for (const auto& [id, point] : points_) {
+      if (heldPoints_.count(id) != 0) continue;
       update.p_map_m.emplace(id, point);
       graph.setPosition(id, point);
     }
@@ -125,14 +132,23 @@ class AdjustmentProblem {
   std::map<KeyframeId, PoseVector> poses_;  // T_cam_map
   std::map<PointId, Eigen::Vector3d> points_;
   std::set<KeyframeId> fixed_;
+  std::set<PointId> heldPoints_;
   std::vector<Edge> edges_;
 };
 
-/// The map frame is the first keyframe's; where it is out of reach something else must hold still.
+constexpr int kPointsThatTie = 15;
+
+bool isTiedToHeld(const KeyframeGraph& graph, const AdjustmentWindow& window) {
+  const auto isHeld = [&](PointId id) { return graph.points().at(id).isHeld; };
+  return std::count_if(window.points.begin(), window.points.end(), isHeld) >= kPointsThatTie;
+}
+
+/// The map frame is that of what is held, or the first keyframe's; where it is out of reach something else must hold
+/// still.
 void holdFirst(const KeyframeGraph& graph, AdjustmentWindow& window) {
   const KeyframeId first = graph.keyframes().begin()->first;
   if (window.moved.erase(first) != 0) window.fixed.insert(first);
-  if (window.fixed.empty() && !window.moved.empty())
+  if (window.fixed.empty() && !window.moved.empty() && !isTiedToHeld(graph, window))
     window.fixed.insert(window.moved.extract(window.moved.begin()).value());
 }
 
@@ -141,8 +157,9 @@ void holdFirst(const KeyframeGraph& graph, AdjustmentWindow& window) {
 AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, const BundleAdjustmentOptions& options) {
   AdjustmentWindow window;
   window.moved.insert(newest);
+  const auto isHeld = [&graph](KeyframeId id) { return graph.keyframes().at(id).isHeld; };
   for (const auto& [id, shared] : graph.covisible(newest)) {
-    const bool isNeighbour = shared >= static_cast<std::size_t>(options.min_shared_points);
+    const bool isNeighbour = shared >= static_cast<std::size_t>(options.min_shared_points) && !isHeld(id);
     if (isNeighbour && window.moved.size() < static_cast<std::size_t>(options.window)) window.moved.insert(id);
   }
   std::map<KeyframeId, std::size_t> others;
@@ -151,7 +168,7 @@ AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, cons
   }
   for (const PointId point : window.points) {
     for (const KeyframeId id : graph.points().at(point).seenBy) {
-      if (window.moved.count(id) == 0) ++others[id];
+      if (window.moved.count(id) == 0 && !isHeld(id)) ++others[id];
     }
   }
   std::vector<std::pair<std::size_t, KeyframeId>> bySharedPoints;
@@ -167,10 +184,12 @@ AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, cons
 AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap) {
   AdjustmentWindow window;
   for (const auto& [id, node] : graph.keyframes()) {
-    if (node.submap != submap) continue;
-    (window.fixed.empty() ? window.fixed : window.moved).insert(id);
+    if (node.submap != submap || node.isHeld) continue;
+    window.moved.insert(id);
     for (const auto& [point, keypoint] : node.keypointOf) window.points.insert(point);
   }
+  if (window.moved.empty() || isTiedToHeld(graph, window)) return window;
+  window.fixed.insert(window.moved.extract(window.moved.begin()).value());
   return window;
 }
 

@@ -10,7 +10,8 @@
 namespace wardslam::graph {
 
 /// Which part of the graph an adjustment moves. Keyframes that see points of `points` but are in neither set are left
-/// out.
+/// out. Points that are held (KeyframeGraph::hold) hold still, whoever sees them; held keyframes are in neither set, as
+/// all they see is held.
 struct AdjustmentWindow {
   std::set<KeyframeId> moved;
   std::set<KeyframeId> fixed;
@@ -18,11 +19,11 @@ struct AdjustmentWindow {
 };
 
 /// The newest keyframe's neighbourhood: it and the keyframes that share most points with it move, all their points
-/// move, other keyframes that see these points hold still. The first keyframe never moves.
+/// move, other keyframes that see these points hold still. The first keyframe moves only against what is held.
 [[nodiscard]] AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest,
                                            const BundleAdjustmentOptions& options);
 
-/// Everything in one submap; its first keyframe holds still.
+/// Everything in one submap; its first keyframe holds still where nothing is held.
 [[nodiscard]] AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap);
 
 /// Least squares over all sightings in the window, reprojection and depth, with a robust loss; sightings that do not

@@ -18,9 +18,14 @@ void KeyframeGraph::restore(const std::shared_ptr<const odometry::Keyframe>& key
   }
 }
 
+void KeyframeGraph::hold() {
+  for (auto& [id, node] : keyframes_) node.isHeld = true;
+  for (auto& [id, node] : points_) node.isHeld = true;
+}
+
 void KeyframeGraph::insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                              const Eigen::Isometry3d& T_map_cam) {
-  KeyframeNode node{keyframe, T_map_cam, {}, currentSubmapOf(*keyframe)};
+  KeyframeNode node{keyframe, T_map_cam, {}, currentSubmapOf(*keyframe), false};
   for (const auto& [seenAs, keypointIndex] : keyframe->sightings) {
     const PointId id = currentIdOf(seenAs);
     const auto& keypoint = keyframe->features.keypoints[keypointIndex];
@@ -30,7 +35,8 @@ void KeyframeGraph::insertAt(const std::shared_ptr<const odometry::Keyframe>& ke
       odometry::describeFrom(known->second.point, keypoint, descriptor, node.T_map_cam);
       known->second.seenBy.insert(keyframe->id);
     } else if (keypoint.hasDepth()) {
-      points_[id] = {odometry::makeMapPoint(keypoint, descriptor, keyframe->camera, node.T_map_cam), {keyframe->id}};
+      points_[id] = {
+          odometry::makeMapPoint(keypoint, descriptor, keyframe->camera, node.T_map_cam), {keyframe->id}, false};
     } else {
       continue;  // was removed meanwhile, and this image cannot tell where it is
     }

@@ -26,15 +26,23 @@ void moveKeyframes(KeyframeGraph& graph, const std::map<KeyframeId, Eigen::Isome
   for (const auto& [id, pose] : T_map_cam) graph.setPose(id, pose);
 }
 
-/// The whole submap as tracking should know it.
+/// The whole submap as tracking should know it; what is held is where it always was.
 void describe(const KeyframeGraph& graph, std::uint32_t submap, odometry::MapUpdate& update) {
   for (const auto& [id, node] : graph.keyframes()) {
-    if (node.submap != submap) continue;
+    if (node.submap != submap || node.isHeld) continue;
     update.T_map_cam[id] = node.T_map_cam;
     for (const auto& [point, keypoint] : node.keypointOf) {
       update.p_map_m[point] = graph.points().at(point).point.p_map_m;
     }
   }
+}
+
+/// Up to where the map was known; what is younger moves as this keyframe does.
+void tellNewest(const KeyframeGraph& graph, KeyframeId newest, odometry::MapUpdate& update) {
+  const KeyframeNode& node = graph.keyframes().at(newest);
+  update.newestKeyframe = newest;
+  update.submap = node.keyframe->submap;
+  update.T_map_cam[newest] = node.T_map_cam;
 }
 
 /// The loop as it is when what hung on the removed keyframe hangs on its heir.
@@ -56,11 +64,12 @@ Mapper::Mapper(const GraphOptions& options, const odometry::OdometryOptions& odo
       places_(options.place_recognition),
       verification_(options.loop_verification, odometry.matcher, odometry.pose_solver) {}
 
-void Mapper::restore(const SavedGraph& saved) {
+void Mapper::restore(const SavedGraph& saved, Saved use) {
   for (const auto& keyframe : saved.keyframes) {
     graph_.restore(keyframe, saved.p_map_m);
     rememberPlace(keyframe->id);
   }
+  if (use == Saved::IsHeld) graph_.hold();
   places_.build();
 }
 
@@ -76,6 +85,7 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
     if (const auto loop = recognise(keyframe->id)) close(*loop, stop, update);
   }
   recallAround(keyframe->id, update);
+  tellNewest(graph_, keyframe->id, update);
   return update;
 }
 
@@ -103,7 +113,7 @@ void Mapper::cullKeyframes(KeyframeId newest, odometry::MapUpdate& update) {
   std::set<KeyframeId, std::greater<>> candidates;
   for (const auto& [id, shared] : graph_.covisible(newest)) {
     const bool isYoung = id + static_cast<KeyframeId>(options_.probation_keyframes) >= newest;
-    if (!isYoung && id != first) candidates.insert(id);
+    if (!isYoung && id != first && !isHeld(id)) candidates.insert(id);
   }
   for (const KeyframeId id : candidates) {
     if (isRedundant(graph_, id, options_.redundancy)) remove(id, update);
@@ -119,7 +129,7 @@ void Mapper::remove(KeyframeId id, odometry::MapUpdate& update) {
   update.removedPoints.insert(update.removedPoints.end(), points.begin(), points.end());
   for (const auto& [point, keypoint] : sightings) {
     const auto node = graph_.points().find(point);
-    const bool isSeenOnce = node != graph_.points().end() && node->second.seenBy.size() == 1;
+    const bool isSeenOnce = node != graph_.points().end() && !node->second.isHeld && node->second.seenBy.size() == 1;
     if (isSeenOnce) onProbation_.emplace(*node->second.seenBy.begin(), point);
   }
   places_.remove(id);
@@ -129,13 +139,20 @@ void Mapper::remove(KeyframeId id, odometry::MapUpdate& update) {
   loops_.erase(std::remove_if(loops_.begin(), loops_.end(), tiesNothing), loops_.end());
 }
 
-void Mapper::adjustAll() {
+odometry::MapUpdate Mapper::adjustAll() {
+  odometry::MapUpdate update;
+  if (graph_.keyframes().empty()) return update;
   std::set<std::uint32_t> submaps;
   for (const auto& [id, node] : graph_.keyframes()) submaps.insert(node.submap);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
   for (const std::uint32_t submap : submaps) {
-    adjust(graph_, globalWindow(graph_, submap), adjustment, adjustment.global_iterations);
+    const auto adjusted = adjust(graph_, globalWindow(graph_, submap), adjustment, adjustment.global_iterations);
+    const auto& removed = adjusted.removedPoints;
+    update.removedPoints.insert(update.removedPoints.end(), removed.begin(), removed.end());
+    describe(graph_, submap, update);
   }
+  tellNewest(graph_, graph_.keyframes().rbegin()->first, update);
+  return update;
 }
 
 /// A place can be recognised some keyframes after it was left, or at once when tracking starts anew.
@@ -211,15 +228,22 @@ void Mapper::optimisePoses(std::uint32_t submap) {
   PoseGraph poses = makePoseGraph(graph_, submap, loops_, options_.pose_graph);
   std::set<std::pair<KeyframeId, KeyframeId>> loopEdges;
   for (const Loop& loop : loops_) loopEdges.emplace(loop.older, loop.newer);
-  optimise(poses, loopEdges, options_.pose_graph);
+  std::set<KeyframeId> held;
+  for (const auto& [id, pose] : poses.nodes) {
+    if (isHeld(id)) held.insert(id);
+  }
+  optimise(poses, loopEdges, held, options_.pose_graph);
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
-  for (const auto& [id, pose] : poses.nodes) T_map_cam[id] = core::fromMrpt(pose);
+  for (const auto& [id, pose] : poses.nodes) {
+    if (held.count(id) == 0) T_map_cam[id] = core::fromMrpt(pose);
+  }
   moveKeyframes(graph_, T_map_cam);
 }
 
 void Mapper::fuse(const Loop& loop, odometry::MapUpdate& update) {
   for (const auto& [from, into] : loop.samePoints) {
     if (graph_.points().count(from) == 0 || graph_.points().count(into) == 0) continue;
+    if (graph_.points().at(from).isHeld) continue;
     graph_.fuse(from, into);
     update.fusedPoints[from] = into;
   }

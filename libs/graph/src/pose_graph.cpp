@@ -65,7 +65,7 @@ EdgeError errorOf(const PoseGraph::constraint_t& edge) {
 }
 
 void optimiseWithCeres(PoseGraph& poses, const std::set<std::pair<KeyframeId, KeyframeId>>& loopEdges,
-                       const PoseGraphOptions& options) {
+                       std::set<KeyframeId> constant, const PoseGraphOptions& options) {
   std::map<KeyframeId, PoseVector> variables;
   for (const auto& [id, pose] : poses.nodes) variables[id] = odometry::toPoseVector(core::fromMrpt(pose));
   ceres::Problem problem;
@@ -74,8 +74,15 @@ void optimiseWithCeres(PoseGraph& poses, const std::set<std::pair<KeyframeId, Ke
     auto* loss = loopEdges.count(ends) != 0 ? new ceres::CauchyLoss(kLoopKernel) : nullptr;
     problem.AddResidualBlock(cost, loss, variables.at(ends.first).data(), variables.at(ends.second).data());
   }
-  if (!problem.HasParameterBlock(variables.at(poses.root).data())) return;
-  problem.SetParameterBlockConstant(variables.at(poses.root).data());
+  constant.insert(poses.root);
+  bool isAnchored = false;
+  for (const KeyframeId id : constant) {
+    const auto pose = variables.find(id);
+    if (pose == variables.end() || !problem.HasParameterBlock(pose->second.data())) continue;
+    problem.SetParameterBlockConstant(pose->second.data());
+    isAnchored = true;
+  }
+  if (!isAnchored) return;
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = options.max_iterations;
@@ -106,6 +113,7 @@ PoseGraph makePoseGraph(const KeyframeGraph& graph, std::uint32_t submap, const 
   for (const auto& [id, pose] : poses.nodes) {
     const KeyframeNode& node = graph.keyframes().at(id);
     const KeyframeId before = std::exchange(previous, id);
+    if (node.isHeld) continue;
     for (const auto& [older, shared] : graph.covisible(id)) {
       const bool isNext = older == before;
       const bool isTied = isNext || static_cast<int>(shared) >= options.min_shared_points;
@@ -125,11 +133,11 @@ PoseGraph makePoseGraph(const KeyframeGraph& graph, std::uint32_t submap, const 
 }
 
 void optimise(PoseGraph& poses, const std::set<std::pair<KeyframeId, KeyframeId>>& loopEdges,
-              const PoseGraphOptions& options) {
+              const std::set<KeyframeId>& held, const PoseGraphOptions& options) {
   if (options.solver == PoseGraphSolver::Levmarq) {
     optimiseWithLevmarq(poses, options);
   } else {
-    optimiseWithCeres(poses, loopEdges, options);
+    optimiseWithCeres(poses, loopEdges, held, options);
   }
 }
 

@@ -15,14 +15,14 @@ namespace wardslam::graph {
 /// Keyframes as nodes (T_map_cam), relative poses as edges. MRPT's type: saveToTextFile() and its programs know it.
 using PoseGraph = mrpt::graphs::CNetworkOfPoses3DInf;
 
-/// The keyframes of one submap, tied by what they share and by loops. Information is in MRPT's order (x y z yaw pitch
-/// roll), in m and rad.
+/// The keyframes of one submap, tied by what they share and by loops; held ones not among each other. Information is in
+/// MRPT's order (x y z yaw pitch roll), in m and rad.
 [[nodiscard]] PoseGraph makePoseGraph(const KeyframeGraph& graph, std::uint32_t submap, const std::vector<Loop>& loops,
                                       const PoseGraphOptions& options);
 
-/// Moves all nodes but the root so that the edges agree best. `loopEdges` are bent by a robust kernel when they do not
-/// fit the rest (Ceres only).
+/// Moves all nodes but the root and those of `held` so that the edges agree best. `loopEdges` are bent by a robust
+/// kernel when they do not fit the rest, and held nodes hold still (both Ceres only).
 void optimise(PoseGraph& poses, const std::set<std::pair<KeyframeId, KeyframeId>>& loopEdges,
-              const PoseGraphOptions& options);
+              const std::set<KeyframeId>& held, const PoseGraphOptions& options);
 
 }  // namespace wardslam::graph

@@ -1,6 +1,7 @@
 #include "wardslam/mapping/map_builder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
@@ -63,6 +64,8 @@ class MapBuilder::Impl {
   Part& part(std::uint32_t submap) { return parts_.try_emplace(submap, options_).first->second; }
   void join(std::uint32_t from, std::uint32_t into);
   void remove(const odometry::RemovedKeyframe& removed);
+  [[nodiscard]] Eigen::Isometry3d placeOf(const odometry::Keyframe& keyframe, std::uint32_t submap) const;
+  [[nodiscard]] std::map<KeyframeId, Eigen::Isometry3d> withYounger(const odometry::MapUpdate& update) const;
   void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
   const cv::Mat& raysOf(const core::CameraModel& camera);
   std::vector<ObjectId> recogniseObjects(Part& part, const View& view,
@@ -112,15 +115,36 @@ void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
   const auto joined = joinedInto_.find(keyframe.submap);
   const std::uint32_t submap = joined == joinedInto_.end() ? keyframe.submap : joined->second;
   if (!first_) first_ = submap;
-  keyframes_[keyframe.id] = {submap, keyframe.stamp_s, keyframe.T_map_cam, {}};
-  part(submap).cloud.addTile(keyframe.id, keyframe.T_map_cam);
+  const Eigen::Isometry3d T_map_cam = placeOf(keyframe, submap);
+  keyframes_[keyframe.id] = {submap, keyframe.stamp_s, T_map_cam, {}};
+  part(submap).cloud.addTile(keyframe.id, T_map_cam);
   changes_.keyframes.insert(keyframe.id);
 }
 
+/// As the keyframe graph places it: by the one before, where the map has that in the same frame.
+Eigen::Isometry3d MapBuilder::Impl::placeOf(const odometry::Keyframe& keyframe, std::uint32_t submap) const {
+  const auto previous = keyframes_.find(keyframe.id - 1);
+  const bool follows = previous != keyframes_.end() && previous->second.submap == submap;
+  return follows ? previous->second.T_map_cam * keyframe.T_previous_cam : keyframe.T_map_cam;
+}
+
 void MapBuilder::Impl::apply(const odometry::MapUpdate& update) {
-  follow(update.T_map_cam);
+  follow(withYounger(update));
   for (const auto& removed : update.removedKeyframes) remove(removed);
   if (update.joined) join(update.joined->from, update.joined->into);
+}
+
+/// The poses it names, and those of keyframes that it does not know yet.
+std::map<KeyframeId, Eigen::Isometry3d> MapBuilder::Impl::withYounger(const odometry::MapUpdate& update) const {
+  auto T_map_cam = update.T_map_cam;
+  const auto newest = keyframes_.find(update.newestKeyframe);
+  if (newest == keyframes_.end()) return T_map_cam;
+  const Eigen::Isometry3d correction = odometry::correctionOf(update, newest->second.T_map_cam);
+  for (auto younger = std::next(newest); younger != keyframes_.end(); ++younger) {
+    const auto& [id, keyframe] = *younger;
+    if (keyframe.submap == newest->second.submap) T_map_cam.try_emplace(id, correction * keyframe.T_map_cam);
+  }
+  return T_map_cam;
 }
 
 void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {

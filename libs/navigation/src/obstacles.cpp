@@ -36,17 +36,17 @@ std::vector<Eigen::Vector3f> outlineOf(const mapping::FloorPlan& plan) {
   return points_m;
 }
 
-/// What a frame shows between the heights, in the map frame.
-std::vector<Eigen::Vector3f> pointsOf(const core::Frame& frame, const Eigen::Isometry3d& T_map_cam,
+/// What a frame shows between the heights, in a frame with the floor at z = 0 ("to").
+std::vector<Eigen::Vector3f> pointsOf(const core::Frame& frame, const Eigen::Isometry3d& T_to_cam,
                                       const ObstacleOptions& options) {
   std::vector<Eigen::Vector3f> points_m;
   for (const auto& point : mapping::depthPoints(frame.depth_m, frame.camera, options.pixel_step)) {
     if (point.p_cam_m.z() > options.max_depth_m) continue;
     const bool mayMove = !frame.mayMove.empty() && frame.mayMove.at<std::uint8_t>(point.raw_px) != 0;
     if (options.only_moving && !mayMove) continue;
-    const Eigen::Vector3d p_map_m = T_map_cam * point.p_cam_m;
-    if (p_map_m.z() < options.min_height_m || p_map_m.z() > options.max_height_m) continue;
-    points_m.push_back(p_map_m.cast<float>());
+    const Eigen::Vector3d p_to_m = T_to_cam * point.p_cam_m;
+    if (p_to_m.z() < options.min_height_m || p_to_m.z() > options.max_height_m) continue;
+    points_m.push_back(p_to_m.cast<float>());
   }
   return points_m;
 }
@@ -57,12 +57,18 @@ Obstacles::Obstacles(const mapping::FloorPlan& plan, const ObstacleOptions& opti
     : options_(options), standing_map_m_(outlineOf(plan)) {}
 
 void Obstacles::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
-  if (odometry.hasPose()) see(pointsOf(frame, odometry.T_map_cam, options_), frame.stamp_s);
+  if (odometry.hasPose()) return see(pointsOf(frame, odometry.T_map_cam, options_), frame.stamp_s);
+  auto p_base_m = pointsOf(frame, frame.T_base_cam, options_);
+  const std::lock_guard lock(mutex_);
+  seen_map_m_.clear();
+  seen_base_m_ = std::move(p_base_m);
+  stamp_s_ = frame.stamp_s;
 }
 
 void Obstacles::see(std::vector<Eigen::Vector3f> p_map_m, double stamp_s) {
   const std::lock_guard lock(mutex_);
   seen_map_m_ = std::move(p_map_m);
+  seen_base_m_.clear();
   stamp_s_ = stamp_s;
 }
 
@@ -76,6 +82,7 @@ SensedObstacles Obstacles::sense(const Eigen::Isometry3d& T_map_base) const {
   }
   const std::lock_guard lock(mutex_);
   for (const auto& p_map_m : seen_map_m_) sensed.p_base_m.emplace_back(T_base_map * p_map_m);
+  sensed.p_base_m.insert(sensed.p_base_m.end(), seen_base_m_.begin(), seen_base_m_.end());
   sensed.stamp_s = stamp_s_;
   return sensed;
 }

@@ -75,6 +75,10 @@ void LocalMap::apply(const MapUpdate& update, std::uint64_t frame) {
   for (const RemovedKeyframe& removed : update.removedKeyframes) removeKeyframe(removed.id);
 }
 
+void LocalMap::movePoints(PointId first, const Eigen::Isometry3d& correction) {
+  for (auto point = points_.lower_bound(first); point != points_.end(); ++point) move(point->second, correction);
+}
+
 void LocalMap::recall(const MapUpdate& update, std::uint64_t frame) {
   for (const auto& [id, point] : update.recalledPoints) points_.emplace(id, point).first->second.lastSeenFrame = frame;
   for (const auto& [id, points] : update.recalledKeyframes) addKeyframe(id, points);

@@ -44,6 +44,11 @@ class LocalMap {
   /// Recalled points count as seen in `frame`, the last one.
   void apply(const MapUpdate& update, std::uint64_t frame);
 
+  /// Moves the points made from that one on, within the map frame.
+  void movePoints(PointId first, const Eigen::Isometry3d& correction);
+
+  [[nodiscard]] PointId nextId() const { return nextId_; }  ///< Of the point made next.
+
   /// Drops points that are rarely found where they should be and, above the limit, those unseen for longest.
   void cull();
 

@@ -49,6 +49,12 @@ void fuseMeasurement(MapPoint& point, const core::Keypoint& keypoint, const core
   point.information_per_m2 = sum;
 }
 
+void move(MapPoint& point, const Eigen::Isometry3d& correction) {
+  point.p_map_m = correction * point.p_map_m;
+  point.information_per_m2 = correction.linear() * point.information_per_m2 * correction.linear().transpose();
+  point.viewedFrom_map_m = correction * point.viewedFrom_map_m;
+}
+
 void describeFrom(MapPoint& point, const core::Keypoint& keypoint, const OrbDescriptor& descriptor,
                   const Eigen::Isometry3d& T_map_cam) {
   point.descriptor = descriptor;

@@ -1,11 +1,18 @@
 #include "wardslam/odometry/odometry.h"
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 #include "pose_tracker.h"
 
 namespace wardslam::odometry {
+namespace {
+
+/// Keyframes a mapper may lag behind; where there is none, memory stays bounded.
+constexpr std::size_t kMostAwaited = 256;
+
+}  // namespace
 
 std::string toString(State state) {
   switch (state) {
@@ -40,7 +47,7 @@ class Odometry::Tracker {
     return poseTracker_.isGood(tracking) ? accept(view, tracking) : lose(view, tracking);
   }
 
-  void apply(const MapUpdate& update);
+  Eigen::Isometry3d apply(const MapUpdate& update);
 
  private:
   struct LastKeyframe {
@@ -50,6 +57,13 @@ class Odometry::Tracker {
     std::size_t mostTracked = 0;  ///< Points found in one image since then.
   };
 
+  /// One that an update may still have known as its newest.
+  struct AwaitedKeyframe {
+    KeyframeId id = 0;
+    Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+    PointId nextPoint = 0;  ///< Points from here on are younger.
+  };
+
   OdometryResult initialise(const TrackedImage& view);
   [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
                                                               const core::Keypoint& keypoint) const;
@@ -57,6 +71,7 @@ class Odometry::Tracker {
   OdometryResult accept(const TrackedImage& view, const Tracking& tracking);
   OdometryResult lose(const TrackedImage& view, const Tracking& tracking);
   void beginSubmap();
+  Eigen::Isometry3d moveWhatIsYounger(const MapUpdate& update);
   void updateMap(const TrackedImage& view, const Tracking& tracking);
   [[nodiscard]] std::vector<std::size_t> newPointCandidates(const TrackedImage& view, const Tracking& tracking) const;
   [[nodiscard]] bool needsKeyframe(const TrackedImage& view, const Tracking& tracking, std::size_t newPoints) const;
@@ -75,6 +90,7 @@ class Odometry::Tracker {
   Eigen::Isometry3d T_cam_previous_ = Eigen::Isometry3d::Identity();  ///< Motion of the last frame.
   std::vector<PointId> lastSeen_;                                     ///< Points found in the last tracked frame.
   LastKeyframe lastKeyframe_;
+  std::deque<AwaitedKeyframe> awaited_;  ///< Of this submap, oldest first.
   std::uint32_t submap_ = 0;
   int framesLost_ = 0;
 };
@@ -128,6 +144,7 @@ OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking&
 void Odometry::Tracker::beginSubmap() {
   map_.clear();
   lastSeen_.clear();
+  awaited_.clear();
   state_ = State::Initialising;
   framesLost_ = 0;
   ++submap_;
@@ -195,6 +212,8 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedI
   map_.addKeyframe(keyframe->id, lastSeen_);
   map_.cull();
   lastKeyframe_ = {keyframe->id, view.frame, T_map_cam, 0};
+  awaited_.push_back({keyframe->id, T_map_cam, map_.nextId()});
+  if (awaited_.size() > kMostAwaited) awaited_.pop_front();
   return keyframe;
 }
 
@@ -210,15 +229,24 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
   return result;
 }
 
-void Odometry::Tracker::apply(const MapUpdate& update) {
+Eigen::Isometry3d Odometry::Tracker::apply(const MapUpdate& update) {
+  if (update.submap != submap_) return Eigen::Isometry3d::Identity();
   map_.apply(update, frame_);
   for (PointId& id : lastSeen_) {
     if (const auto fused = update.fusedPoints.find(id); fused != update.fusedPoints.end()) id = fused->second;
   }
-  const auto moved = update.T_map_cam.find(lastKeyframe_.id);
-  if (moved == update.T_map_cam.end()) return;
-  T_cam_map_ = T_cam_map_ * lastKeyframe_.T_map_cam * moved->second.inverse();
-  lastKeyframe_.T_map_cam = moved->second;
+  return moveWhatIsYounger(update);
+}
+
+Eigen::Isometry3d Odometry::Tracker::moveWhatIsYounger(const MapUpdate& update) {
+  while (!awaited_.empty() && awaited_.front().id < update.newestKeyframe) awaited_.pop_front();
+  if (awaited_.empty() || awaited_.front().id != update.newestKeyframe) return Eigen::Isometry3d::Identity();
+  const Eigen::Isometry3d correction = correctionOf(update, awaited_.front().T_map_cam);
+  map_.movePoints(awaited_.front().nextPoint, correction);
+  for (AwaitedKeyframe& keyframe : awaited_) keyframe.T_map_cam = correction * keyframe.T_map_cam;
+  lastKeyframe_.T_map_cam = awaited_.back().T_map_cam;
+  T_cam_map_ = T_cam_map_ * correction.inverse();
+  return correction;
 }
 
 Odometry::Odometry(const OdometryOptions& options, const Continuation& earlier)
@@ -235,6 +263,6 @@ OdometryResult Odometry::track(double stamp_s, const core::CameraModel& camera, 
   return tracker_->track(stamp_s, camera, staticFeatures);
 }
 
-void Odometry::apply(const MapUpdate& update) { tracker_->apply(update); }
+Eigen::Isometry3d Odometry::apply(const MapUpdate& update) { return tracker_->apply(update); }
 
 }  // namespace wardslam::odometry

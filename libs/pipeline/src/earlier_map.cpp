@@ -7,10 +7,11 @@
 
 namespace wardslam::pipeline {
 
-EarlierMap readEarlierMap(const std::filesystem::path& file) {
+EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use) {
   const auto map = storage::MapFile::open(file);
   EarlierMap earlier;
-  earlier.semantic = map.read();
+  earlier.use = use;
+  earlier.semantic = map.read(use == graph::Saved::IsHeld ? storage::CloudPart::LeaveOut : storage::CloudPart::Include);
   earlier.graph.p_map_m = map.readPoints();
   for (odometry::Keyframe& keyframe : map.readViews()) {
     const auto placed = earlier.semantic.keyframes.find(keyframe.id);

@@ -51,8 +51,13 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
   auto odometry = profiler_.time("odometry.track", [&] {
     return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));
   });
-  filters_.end(frame, odometry.pose());
+  const auto T_map_cam = odometry.pose();
+  filters_.end(frame, T_map_cam ? std::optional(T_odom_map_ * *T_map_cam) : std::nullopt);
   return {std::move(frame), std::move(odometry)};
+}
+
+void FrontEnd::apply(const odometry::MapUpdate& update) {
+  T_odom_map_ = T_odom_map_ * odometry_.apply(update).inverse();
 }
 
 void FrontEnd::requireSoundSetup() {

@@ -28,10 +28,10 @@ void MapFeed::add(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
 }
 
 void MapFeed::add(mapping::View view) {
-  const auto necessity = view.isKeyframe ? core::Necessity::Preferred : core::Necessity::Optional;
+  const bool mayBeLeftOut = whenBehind_ == WhenBehind::LeavesViewsOut && !view.isKeyframe;
   stage_.post([view = std::move(view), &profiler = profiler_](
                   mapping::MapBuilder& builder) { profiler.time("mapping.add", [&] { builder.add(view); }); },
-              necessity);
+              mayBeLeftOut ? core::Necessity::Optional : core::Necessity::Required);
 }
 
 void MapFeed::write() {

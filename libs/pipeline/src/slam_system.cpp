@@ -7,13 +7,14 @@
 #include "map_feed.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/first_failure.h"
 
 namespace wardslam::pipeline {
 namespace {
 
-std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const graph::SavedGraph& earlier) {
+std::unique_ptr<graph::Mapper> makeMapper(const SlamOptions& options, const EarlierMap& earlier) {
   auto mapper = std::make_unique<graph::Mapper>(options.graph, options.odometry);
-  mapper->restore(earlier);
+  mapper->restore(earlier.graph, earlier.use);
   return mapper;
 }
 
@@ -57,6 +58,19 @@ core::StageThread threadOf(const SlamOptions& options) {
   return options.deterministic ? core::StageThread::Caller : core::StageThread::Own;
 }
 
+/// A recording waits when tracking is more than a few keyframes ahead; each is some four tasks of the map builder.
+core::StageCapacity graphCapacity(WhenBehind whenBehind) {
+  core::StageCapacity capacity;
+  if (whenBehind == WhenBehind::Waits) capacity.required = 4;
+  return capacity;
+}
+
+core::StageCapacity mapCapacity(WhenBehind whenBehind) {
+  core::StageCapacity capacity;
+  if (whenBehind == WhenBehind::Waits) capacity.required = 16;
+  return capacity;
+}
+
 mapping::Zones zonesOf(const SlamOptions& options, const mapping::SemanticMap& earlier) {
   if (options.zones.file.empty()) return mapping::Zones(earlier.zones);
   return mapping::Zones::fromFile(core::findDataFile(options.zones.file, options.file));
@@ -64,18 +78,19 @@ mapping::Zones zonesOf(const SlamOptions& options, const mapping::SemanticMap& e
 
 }  // namespace
 
-SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier)
+SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, WhenBehind whenBehind)
     : options_(options),
       frontEnd_(options, continuationOf(earlier.graph)),
       zones_(zonesOf(options, earlier.semantic)),
-      graphBuilding_(makeMapper(options, earlier.graph), threadOf(options)) {
+      graphBuilding_(makeMapper(options, earlier), threadOf(options), graphCapacity(whenBehind)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
   requireSameNames(labelSpace(), earlier.semantic);
   addObserver(trajectory_);
   if (!options.mapping.enabled) return;
   mapBuilding_ = std::make_unique<core::Stage<mapping::MapBuilder>>(
-      makeMapBuilder(options, {labelSpace(), frontEnd_.movers(), zones_}, earlier.semantic), threadOf(options));
-  mapFeed_ = std::make_unique<MapFeed>(*mapBuilding_, makeViewSelection(options), frontEnd_.profiler());
+      makeMapBuilder(options, {labelSpace(), frontEnd_.movers(), zones_}, earlier.semantic), threadOf(options),
+      mapCapacity(whenBehind));
+  mapFeed_ = std::make_unique<MapFeed>(*mapBuilding_, makeViewSelection(options), frontEnd_.profiler(), whenBehind);
 }
 
 SlamSystem::~SlamSystem() = default;
@@ -114,15 +129,36 @@ void SlamSystem::insert(const std::shared_ptr<const odometry::Keyframe>& keyfram
 }
 
 void SlamSystem::finish() {
-  if (!mapper_) {
-    mapper_ = graphBuilding_.finish();
-    mapper_->adjustAll();
-  }
-  for (const auto& update : mapUpdates_.takeAll()) {
-    trajectory_.apply(update);
-    if (mapFeed_) mapFeed_->apply(update);
-  }
-  if (mapBuilding_ && !mapBuilder_) mapBuilder_ = mapBuilding_->finish();
+  core::FirstFailure failure;
+  failure.attempt([this] { finishGraph(); });
+  failure.attempt([this] {
+    for (const auto& update : mapUpdates_.takeAll()) {
+      trajectory_.apply(update);
+      if (mapFeed_) mapFeed_->apply(update);
+    }
+  });
+  failure.attempt([this] {
+    if (mapBuilding_ && !mapBuilder_) mapBuilder_ = mapBuilding_->finish();
+  });
+  if (mapBuilding_ && !mapBuilder_) mapBuilder_ = mapBuilding_->giveUp();
+  failure.rethrow();
+}
+
+void SlamSystem::finishGraph() {
+  if (mapper_) return;
+  core::FirstFailure failure;
+  failure.attempt([this] { mapper_ = graphBuilding_.finish(); });
+  if (!mapper_) mapper_ = graphBuilding_.giveUp();
+  failure.rethrow();
+  mapUpdates_.put(mapper_->adjustAll());
+}
+
+core::EventCounts SlamSystem::leftOut() const {
+  core::EventCounts counts;
+  if (!mapFeed_) return counts;
+  if (const auto views = mapBuilding_->leftOut(); views > 0) counts["mapping.view_left_out"] = views;
+  if (const auto views = mapFeed_->viewsWithoutMasks(); views > 0) counts["mapping.view_without_masks"] = views;
+  return counts;
 }
 
 mapping::SemanticMap SlamSystem::semanticMap() const {

@@ -23,13 +23,16 @@ mapping::View viewOf(const core::Frame& frame, const odometry::OdometryResult& o
 
 std::optional<mapping::View> ViewSelection::select(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   if (!showsSomethingNew(frame, odometry)) return std::nullopt;
+  if (needsSegmentation_ && frame.segmentation.empty()) {
+    ++withoutMasks_;
+    return std::nullopt;
+  }
   last_ = {frame.stamp_s, odometry.T_map_cam};
   return viewOf(frame, odometry);
 }
 
 bool ViewSelection::showsSomethingNew(const core::Frame& frame, const odometry::OdometryResult& odometry) const {
   if (!odometry.hasPose()) return false;
-  if (needsSegmentation_ && frame.segmentation.empty()) return false;
   if (odometry.keyframe || !last_) return true;
   const Eigen::Isometry3d step = last_->T_map_cam.inverse() * odometry.T_map_cam;
   return step.translation().norm() >= options_.step_m ||

@@ -21,12 +21,16 @@ class ViewSelection {
   /// The frame as a view of the map; nothing when it shows nothing new or has no pose. Shares the images.
   [[nodiscard]] std::optional<mapping::View> select(const core::Frame& frame, const odometry::OdometryResult& odometry);
 
+  /// Frames that would have been chosen, and had no masks.
+  [[nodiscard]] std::size_t withoutMasks() const { return withoutMasks_; }
+
  private:
   [[nodiscard]] bool showsSomethingNew(const core::Frame& frame, const odometry::OdometryResult& odometry) const;
 
   mapping::ViewOptions options_;
   bool needsSegmentation_;
   std::optional<core::StampedPose> last_;  ///< Chosen.
+  std::size_t withoutMasks_ = 0;
 };
 
 }  // namespace wardslam::pipeline

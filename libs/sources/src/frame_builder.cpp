@@ -105,6 +105,7 @@ core::Frame FrameBuilder::build(std::shared_ptr<CObservation3DRangeScan> observa
   if (const auto reason = whyUnusable(*observation)) {
     throw core::FrameError("frame " + std::to_string(nextIndex_) + ": the observation " + *reason);
   }
+  requireSameSize(observation->intensityImage.asCvMatRef().size());
   core::Frame frame;
   frame.stamp_s = core::fromMrptTime(observation->timestamp);
   frame.camera = core::fromMrpt(observation->cameraParamsIntensity);
@@ -124,6 +125,15 @@ core::Frame FrameBuilder::build(std::shared_ptr<CObservation3DRangeScan> observa
   frame.observation = std::move(observation);
   frame.index = nextIndex_++;
   return frame;
+}
+
+void FrameBuilder::requireSameSize(const cv::Size& size_px) {
+  if (size_px_.empty()) size_px_ = size_px;
+  if (size_px == size_px_) return;
+  const auto text = [](const cv::Size& s) { return std::to_string(s.width) + "x" + std::to_string(s.height); };
+  throw core::FrameError("frame " + std::to_string(nextIndex_) + ": the image has " + text(size_px) +
+                         " pixels, those before it " + text(size_px_) +
+                         "; it is left out, as are others like it: give what has another size a run of its own");
 }
 
 }  // namespace wardslam::sources

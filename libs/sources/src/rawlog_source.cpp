@@ -8,6 +8,7 @@
 #include "observation_camera.h"
 #include "observation_check.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/mrpt_compat.h"
 #include "wardslam/sources/external_images.h"
 #include "wardslam/sources/input_damage.h"
 #include "wardslam/sources/rawlog_reader.h"
@@ -94,6 +95,7 @@ RawlogSource::ScanPtr RawlogSource::takeIfUsable(const ObservationPtr& observati
   ++scansRead_;
   try {
     const ScanPtr prepared = scan ? prepare(scan) : prepare(dynamic_cast<CObservationStereoImages&>(*observation));
+    requireOrderOfTime(*prepared);
     label_ = observation->sensorLabel;
     return prepared;
   } catch (const InputDamage& damage) {
@@ -124,6 +126,15 @@ RawlogSource::ScanPtr RawlogSource::prepare(const CObservationStereoImages& pair
   } catch (const core::FrameError& error) {
     throw InputDamage("sources.observation_unusable", error.what());
   }
+}
+
+void RawlogSource::requireOrderOfTime(const CObservation3DRangeScan& scan) {
+  const double stamp_s = core::fromMrptTime(scan.timestamp);
+  if (lastStamp_s_ && stamp_s < *lastStamp_s_) {
+    throw InputDamage("sources.stamp_goes_back", "was taken " + std::to_string(*lastStamp_s_ - stamp_s) +
+                                                     " s before the one that stands before it");
+  }
+  lastStamp_s_ = stamp_s;
 }
 
 void RawlogSource::failWithoutScans() const {

@@ -22,7 +22,8 @@ class RawlogReader;
 
 /// The CObservation3DRangeScan of an MRPT rawlog (gz-compressed or not; a list of observations or of sensory frames),
 /// read as a stream. A CObservationStereoImages becomes a scan (StereoDepth). Observations of other classes are passed
-/// over, and so are those of other sensors than that of the first that has both images.
+/// over, and so are those of other sensors than that of the first that has both images. A scan from before the one
+/// delivered last is left out and counted as "sources.stamp_goes_back".
 ///
 /// A rawlog that ends in the middle of an object delivers everything before and then counts
 /// "sources.rawlog_truncated"; reading also ends at an object of a class that RawlogReader does not know.
@@ -46,6 +47,7 @@ class RawlogSource : public ObservationSource {
   [[nodiscard]] ScanPtr takeIfUsable(const ObservationPtr& observation);
   [[nodiscard]] ScanPtr prepare(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& scan) const;
   [[nodiscard]] ScanPtr prepare(const mrpt::obs::CObservationStereoImages& pair);
+  void requireOrderOfTime(const mrpt::obs::CObservation3DRangeScan& scan);
   [[noreturn]] void failWithoutScans() const;
 
   std::filesystem::path file_;
@@ -59,6 +61,7 @@ class RawlogSource : public ObservationSource {
   std::deque<ObservationPtr> pending_;  ///< From the sensory frame read last.
   ScanPtr first_;                       ///< Read when opening, delivered by the first next().
   std::optional<std::string> label_;
+  std::optional<double> lastStamp_s_;
   std::set<std::string> passedOver_;  ///< Classes met that are no scans with both images.
   std::string firstDamage_;           ///< What the first observation that could not be used suffers from.
   std::size_t scansRead_ = 0;

@@ -1,5 +1,8 @@
 #include "blob_codecs.h"
 
+#include <cmath>
+#include <string>
+
 #include "wardslam/odometry/orb_descriptor.h"
 
 namespace wardslam::storage {
@@ -63,6 +66,28 @@ void getColumns(core::ByteReader& in, std::vector<Record>& records) {
   });
 }
 
+/// What a lens, a sensor and a room have room in: anything else is damage, and would be worked with for long.
+constexpr float kFarthest_px = 1e6F;
+constexpr float kFarthest_m = 1e4F;
+constexpr float kLargestScale = 1e4F;
+
+void require(bool isPossible, const char* what) {
+  if (!isPossible) throw core::BlobError(std::string("it holds ") + what + " that is impossible");
+}
+
+void requirePossible(const core::Keypoint& k) {
+  for (const float px : {k.raw_px.x, k.raw_px.y, k.undistorted_px.x, k.undistorted_px.y}) {
+    require(std::abs(px) <= kFarthest_px, "a key point");
+  }
+  require(k.depth_m >= 0 && k.depth_m <= kFarthest_m, "a depth");
+  require(std::isfinite(k.angle_rad) && std::isfinite(k.response), "an angle");
+  require(k.scale > 0 && k.scale <= kLargestScale, "a scale");
+}
+
+void requirePossible(const Eigen::Vector3f& p_cam_m) {
+  require(p_cam_m.cwiseAbs().maxCoeff() <= kFarthest_m && p_cam_m.allFinite(), "a point");
+}
+
 }  // namespace
 
 core::Bytes encodeFeatures(const core::Features& features) {
@@ -81,6 +106,7 @@ core::Features decodeFeatures(const core::Bytes& blob) {
   core::Features features;
   features.keypoints.resize(in.getCount(kKeypointSize));
   getColumns(in, features.keypoints);
+  for (const auto& keypoint : features.keypoints) requirePossible(keypoint);
   features.descriptors.create(static_cast<int>(features.size()), sizeof(OrbDescriptor), CV_8UC1);
   in.getBytes(features.descriptors.data, features.descriptors.total());
   return features;
@@ -99,6 +125,7 @@ mapping::SemanticCloudTile decodeTile(const core::Bytes& blob) {
   mapping::SemanticCloudTile tile;
   tile.points.resize(in.getCount(kPointSize));
   getColumns(in, tile.points);
+  for (const auto& point : tile.points) requirePossible(point.p_cam_m);
   return tile;
 }
 
@@ -114,6 +141,7 @@ std::vector<Eigen::Vector3f> decodeFan(const core::Bytes& blob) {
   core::ByteReader in(content);
   std::vector<Eigen::Vector3f> fan_cam_m(in.getCount(3 * sizeof(float)));
   getColumns(in, fan_cam_m);
+  for (const auto& end : fan_cam_m) requirePossible(end);
   return fan_cam_m;
 }
 

@@ -49,6 +49,8 @@ void checkReferences(SQLite::Database& database, Problems& problems) {
             "objects or keyframes lie in a zone that is not defined", problems);
   checkNone(database, "SELECT count(*) FROM points WHERE id NOT IN (SELECT point FROM sightings)",
             "tracking points are seen by no keyframe", problems);
+  checkNone(database, "SELECT count(*) FROM views WHERE typeof(stretch) <> 'integer' OR stretch < 0",
+            "keyframes belong to an impossible stretch of tracking", problems);
 }
 
 /// Decodes everything.

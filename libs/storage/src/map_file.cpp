@@ -1,5 +1,6 @@
 #include "wardslam/storage/map_file.h"
 
+#include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sqlite3.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include "map_reading.h"
 #include "map_schema.h"
 #include "map_writing.h"
+#include "wardslam/core/atomic_file.h"
 #include "wardslam/core/blob.h"
 #include "wardslam/core/errors.h"
 
@@ -15,8 +17,6 @@ namespace wardslam::storage {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kPatience_ms = 5000;  // how long another program may hold the file
 
 std::string explain(const SQLite::Exception& error) {
   switch (error.getErrorCode()) {
@@ -45,7 +45,9 @@ auto guarded(const fs::path& file, const Work& work) {
   try {
     return work();
   } catch (const SQLite::Exception& error) {
-    throw core::InputError(file.string() + ": " + explain(error));
+    const std::string sentence = file.string() + ": " + explain(error);
+    if (error.getErrorCode() == SQLITE_BUSY) throw MapInUse(sentence);
+    throw core::InputError(sentence);
   } catch (const core::BlobError& error) {
     throw core::InputError(file.string() + ": is damaged: " + error.what());
   }
@@ -73,13 +75,22 @@ void requireFile(const fs::path& file) {
   if (fs::file_size(file, error) == 0) throw core::InputError(file.string() + ": is empty, so it is not a map");
 }
 
-/// The file and the journals SQLite keeps beside it.
-void removeDatabase(const fs::path& file) {
-  for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+fs::path partialOf(const fs::path& file) { return file.string() + ".partial"; }
+
+/// What SQLite keeps beside the file.
+void removeJournals(const fs::path& file) {
+  for (const char* suffix : {"-journal", "-wal", "-shm"}) {
     std::error_code error;
     fs::remove(file.string() + suffix, error);
     if (error) throw core::InputError(file.string() + ": cannot be replaced: " + error.message());
   }
+}
+
+void removeDatabase(const fs::path& file) {
+  removeJournals(file);
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw core::InputError(file.string() + ": cannot be replaced: " + error.message());
 }
 
 /// A rollback journal, not write-ahead logging: the map is this one file at every moment between two transactions,
@@ -87,7 +98,7 @@ void removeDatabase(const fs::path& file) {
 void configure(SQLite::Database& database) {
   database.exec("PRAGMA foreign_keys = ON");
   database.exec("PRAGMA journal_mode = DELETE");
-  database.exec("PRAGMA synchronous = FULL");
+  database.exec("PRAGMA synchronous = EXTRA");  // the folder, too: a commit is one when the journal is gone
   database.exec("PRAGMA secure_delete = OFF");
   database.exec("PRAGMA temp_store = MEMORY");
 }
@@ -95,7 +106,23 @@ void configure(SQLite::Database& database) {
 /// Writable where permitted, also for readers: they may have to undo what a killed process left half written.
 SQLite::Database connect(const fs::path& file) {
   const bool writable = ::access(file.c_str(), W_OK) == 0;
-  return {file.string(), writable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY, kPatience_ms};
+  return {file.string(), writable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY, MapFile::kPatience_ms};
+}
+
+/// Under a name of its own, so that `file` is a map as soon as it is there.
+void makeDatabase(const fs::path& file, const MapHeader& header, const MapChanges& content) {
+  if (fs::is_directory(file)) throw core::InputError(file.string() + ": is a folder");
+  const fs::path partial = partialOf(file);
+  removeDatabase(partial);
+  guarded(file, [&] {
+    SQLite::Database database(partial.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, MapFile::kPatience_ms);
+    configure(database);
+    migrateSchema(database);
+    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+    writeHeader(database, header);
+    writeChanges(database, content);
+    transaction.commit();
+  });
 }
 
 }  // namespace
@@ -119,23 +146,24 @@ MapFile::~MapFile() = default;
 MapFile::MapFile(MapFile&&) noexcept = default;
 MapFile& MapFile::operator=(MapFile&&) noexcept = default;
 
-MapFile MapFile::create(const fs::path& file, const MapHeader& header) {
-  const fs::path partial = file.string() + ".partial";  // so that `file` is a map as soon as it is there
-  if (fs::is_directory(file)) throw core::InputError(file.string() + ": is a folder");
-  removeDatabase(partial);
-  guarded(file, [&] {
-    SQLite::Database database(partial.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience_ms);
-    configure(database);
-    migrateSchema(database);
-    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    writeHeader(database, header);
-    transaction.commit();
-  });
-  removeDatabase(file);
-  std::error_code error;
-  fs::rename(partial, file, error);
-  if (error) throw core::InputError(file.string() + ": cannot be created: " + error.message());
-  return open(file, MapAccess::Write);
+void MapFile::requireThatOneCanBeMade(const fs::path& file) {
+  makeDatabase(file, {}, {});
+  removeDatabase(partialOf(file));
+}
+
+MapFile MapFile::create(const fs::path& file, const MapHeader& header, const MapChanges& content) {
+  makeDatabase(file, header, content);
+  removeJournals(file);  // of the map that was there; they would be played back into the new one
+  core::replaceFile(partialOf(file), file);
+  MapFile created = open(file, MapAccess::Write);
+  if (!content.fusedPoints.empty()) created.remember(content.fusedPoints);
+  return created;
+}
+
+void MapFile::remember(const std::map<odometry::PointId, odometry::PointId>& fusedPoints) {
+  MapChanges changes;
+  changes.fusedPoints = fusedPoints;
+  write(changes);
 }
 
 MapFile MapFile::open(const fs::path& file, MapAccess access) {
@@ -155,12 +183,35 @@ MapFile MapFile::open(const fs::path& file, MapAccess access) {
   });
 }
 
-void MapFile::write(const MapChanges& changes) {
+void MapFile::write(const MapChanges& changes, int patience_ms) {
   guarded(connection_->file, [&] {
+    connection_->database.setBusyTimeout(patience_ms);
     SQLite::Transaction transaction(connection_->database, SQLite::TransactionBehavior::IMMEDIATE);
     writeChanges(connection_->database, changes);
     transaction.commit();
   });
+}
+
+void MapFile::writeBeside(const MapChanges& changes) {
+  const fs::path file = connection_->file;
+  const fs::path partial = partialOf(file);
+  removeDatabase(partial);
+  guarded(file, [&] {
+    connection_->database.setBusyTimeout(kPatience_ms);
+    // Held until the copy has the name: nobody else may write into what is to be replaced.
+    const SQLite::Transaction reserved(connection_->database, SQLite::TransactionBehavior::IMMEDIATE);
+    {
+      SQLite::Database source = connect(file);
+      SQLite::Database copy(partial.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience_ms);
+      SQLite::Backup(copy, source).executeStep();
+      configure(copy);
+      SQLite::Transaction transaction(copy, SQLite::TransactionBehavior::IMMEDIATE);
+      writeChanges(copy, changes);
+      transaction.commit();
+    }
+    core::replaceFile(partial, file);
+  });
+  *this = open(file, MapAccess::Write);
 }
 
 MapFileInfo MapFile::info() const {

@@ -9,6 +9,11 @@
 namespace wardslam::storage {
 namespace {
 
+/// How long to wait for another program. While the camera moves, tracking may wait for this, and what is new can be
+/// written with the next keyframe as well.
+constexpr int kPatienceMeanwhile_ms = 200;
+constexpr int kPatienceInTheEnd_ms = 2000;
+
 void merge(mapping::MapParts& into, const mapping::MapParts& parts) {
   into.keyframes.insert(parts.keyframes.begin(), parts.keyframes.end());
   into.tiles.insert(parts.tiles.begin(), parts.tiles.end());
@@ -42,11 +47,17 @@ GraphContent contentOf(const graph::KeyframeGraph& graph, const std::set<odometr
 
 }  // namespace
 
-MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader& header)
-    : file_(MapFile::create(file, header)) {}
+MapFileWriter::MapFileWriter(const std::filesystem::path& file, const MapHeader& header) {
+  if (!std::filesystem::exists(file)) {
+    file_ = MapFile::create(file, header);
+    return;
+  }
+  MapFile::requireThatOneCanBeMade(file);
+  successor_ = Successor{file, header};
+}
 
 MapFileWriter::MapFileWriter(MapFile file) : file_(std::move(file)) {
-  for (const auto& [id, keyframe] : file_.read(CloudPart::LeaveOut).keyframes) written_.insert(id);
+  for (const auto& [id, keyframe] : file_->read(CloudPart::LeaveOut).keyframes) written_.insert(id);
 }
 
 void MapFileWriter::add(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
@@ -79,8 +90,19 @@ MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
   return changes;
 }
 
-void MapFileWriter::commit(const MapChanges& changes) {
-  file_.write(changes);
+void MapFileWriter::put(const MapChanges& changes, int patience_ms) {
+  if (successor_) {
+    if (changes.keyframes.empty()) return;
+    file_ = MapFile::create(successor_->file, successor_->header, changes);
+    successor_.reset();
+  } else {
+    file_->write(changes, patience_ms);
+  }
+  forgetWritten(changes);
+}
+
+void MapFileWriter::forgetWritten(const MapChanges& changes) {
+  isFailing_ = false;
   for (const auto& [id, keyframe] : changes.keyframes) written_.insert(id);
   for (const auto id : changes.removedKeyframes) written_.erase(id);
   unwritten_ = {};
@@ -92,12 +114,17 @@ void MapFileWriter::commit(const MapChanges& changes) {
   pending_.views = std::move(waiting);
 }
 
+void MapFileWriter::fail(const core::InputError& error) {
+  ++failedWrites_;
+  if (!std::exchange(isFailing_, true)) warn_(std::string(error.what()) + " (what is new is kept and tried again)");
+}
+
 void MapFileWriter::write(mapping::MapBuilder& builder) {
   const MapChanges changes = takeFrom(builder);
   try {
-    commit(changes);
-  } catch (const core::InputError&) {
-    // Nothing was written and nothing is forgotten; finish() tells if it stays so.
+    put(changes, kPatienceMeanwhile_ms);
+  } catch (const core::InputError& error) {
+    fail(error);
   }
 }
 
@@ -114,7 +141,13 @@ void MapFileWriter::finish(mapping::MapBuilder& builder, const graph::Mapper& ma
       changes.loops.push_back({loop.older, loop.newer, loop.T_older_newer});
     }
   }
-  commit(changes);
+  try {
+    put(changes, kPatienceInTheEnd_ms);
+  } catch (const MapInUse& error) {
+    fail(error);
+    file_->writeBeside(changes);
+    forgetWritten(changes);
+  }
 }
 
 }  // namespace wardslam::storage

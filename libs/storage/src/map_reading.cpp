@@ -10,6 +10,13 @@
 namespace wardslam::storage {
 namespace {
 
+// What any camera and any floor plan has room in.
+constexpr int kWidest_px = 20000;
+constexpr double kLongestFocus_px = 1e6;
+constexpr double kStrongestLens = 1e4;
+constexpr double kFinestPlan_m = 1e-3;
+constexpr double kCoarsestPlan_m = 100.0;
+
 /// Hands every row to `take`; trouble with a row is told with `what` it is and its first column.
 template <class Take>
 void forEachRow(SQLite::Database& database, const std::string& what, const char* sql, const Take& take) {
@@ -32,7 +39,7 @@ void readKeyframes(SQLite::Database& database, mapping::SemanticMap& map) {
              [&map](ColumnReader row) {
                odometry::KeyframeId id = 0;
                mapping::MappedKeyframe keyframe;
-               row >> id >> keyframe.stamp_s >> keyframe.T_map_cam >> keyframe.zone;
+               row >> id >> within(keyframe.stamp_s, 0.0, kLatest_s) >> keyframe.T_map_cam >> keyframe.zone;
                map.keyframes.emplace(id, keyframe);
              });
 }
@@ -62,9 +69,12 @@ mapping::MapObject objectOf(ColumnReader row) {
   mapping::MapObject object;
   std::string state;
   auto& [red, green, blue] = object.color_rgb;
-  row >> object.id >> object.classId >> object.probability >> object.centroid_m >> object.box_m.min() >>
-      object.box_m.max() >> object.orientedBox.T_map_box >> object.orientedBox.size_m >> red >> green >> blue >>
-      object.firstSeen_s >> object.lastSeen_s >> object.views >> object.zone >> state;
+  row >> object.id >> object.classId >> within(object.probability, 0.0, 1.0) >> object.centroid_m >>
+      object.box_m.min() >> object.box_m.max() >> object.orientedBox.T_map_box >> object.orientedBox.size_m >> red >>
+      green >> blue >> within(object.firstSeen_s, 0.0, kLatest_s) >> within(object.lastSeen_s, 0.0, kLatest_s) >>
+      object.views >> object.zone >> state;
+  if ((object.box_m.min().array() > object.box_m.max().array()).any()) throw core::BlobError("its box is inside out");
+  if ((object.orientedBox.size_m.array() < 0).any()) throw core::BlobError("its box has a negative size");
   object.state = objectState(state);
   return object;
 }
@@ -104,8 +114,8 @@ void readFloorPlan(SQLite::Database& database, mapping::SemanticMap& map) {
              [&map](ColumnReader row) {
                std::uint32_t id = 0;
                core::Bytes blob;
-               row >> id >> map.floorPlan.resolution_m >> map.floorPlan.origin_m >> blob;
-               if (map.floorPlan.resolution_m <= 0) throw core::BlobError("its resolution is not positive");
+               row >> id >> within(map.floorPlan.resolution_m, kFinestPlan_m, kCoarsestPlan_m);
+               row >> map.floorPlan.origin_m >> blob;
                map.floorPlan.cells = decodeCells(blob);
              });
 }
@@ -117,8 +127,12 @@ std::map<std::uint32_t, core::CameraModel> readCameras(SQLite::Database& databas
              [&cameras](ColumnReader row) {
                std::uint32_t id = 0;
                core::CameraModel c;
-               row >> id >> c.width_px >> c.height_px >> c.fx_px >> c.fy_px >> c.cx_px >> c.cy_px;
-               row >> c.k1 >> c.k2 >> c.p1 >> c.p2 >> c.k3;
+               row >> id >> within(c.width_px, 1, kWidest_px) >> within(c.height_px, 1, kWidest_px);
+               for (double* focus_px : {&c.fx_px, &c.fy_px}) row >> within(*focus_px, 1.0, kLongestFocus_px);
+               for (double* centre_px : {&c.cx_px, &c.cy_px}) {
+                 row >> within(*centre_px, -kLongestFocus_px, kLongestFocus_px);
+               }
+               for (double* k : {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3}) row >> within(*k, -kStrongestLens, kStrongestLens);
                cameras.emplace(id, c);
              });
   return cameras;
@@ -134,7 +148,7 @@ std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQL
                odometry::Keyframe view;
                std::uint32_t camera = 0;
                core::Bytes blob;
-               row >> view.id >> view.stamp_s >> view.T_map_cam >> camera >> blob;
+               row >> view.id >> within(view.stamp_s, 0.0, kLatest_s) >> view.T_map_cam >> camera >> blob;
                if (cameras.count(camera) == 0) throw core::BlobError("its camera is missing");
                view.camera = cameras.at(camera);
                view.features = decodeFeatures(blob);

@@ -1,11 +1,12 @@
 #include "map_rows.h"
 
-#include <cmath>
+#include <limits>
 
 namespace wardslam::storage {
 namespace {
 
 constexpr double kShortestQuaternion = 1e-3;
+constexpr double kLongestQuaternion = 1e3;
 
 }  // namespace
 
@@ -20,8 +21,13 @@ ParameterBinder& ParameterBinder::operator<<(const Eigen::Isometry3d& pose) {
 }
 
 ColumnReader& ColumnReader::operator>>(double& value) {
-  value = statement_.getColumn(index_).getDouble();
-  if (!std::isfinite(value)) failAtColumn();
+  return *this >> within(value, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
+}
+
+ColumnReader& ColumnReader::operator>>(const Within<double>& column) {
+  requireNumber();
+  column.value = statement_.getColumn(index_).getDouble();
+  if (!(column.value >= column.least && column.value <= column.most)) failAtColumn(index_);
   ++index_;
   return *this;
 }
@@ -41,14 +47,20 @@ ColumnReader& ColumnReader::operator>>(core::Bytes& value) {
 ColumnReader& ColumnReader::operator>>(Eigen::Isometry3d& pose) {
   Eigen::Vector3d t;
   Eigen::Quaterniond q;
-  *this >> t >> q.x() >> q.y() >> q.z() >> q.w();
+  *this >> t;
+  for (double* part : {&q.x(), &q.y(), &q.z(), &q.w()}) *this >> within(*part, -kLongestQuaternion, kLongestQuaternion);
   if (q.norm() < kShortestQuaternion) throw core::BlobError("its quaternion is zero");
   pose = Eigen::Translation3d(t) * q.normalized();
   return *this;
 }
 
-void ColumnReader::failAtColumn() {
-  throw core::BlobError(std::string("its ") + statement_.getColumn(index_).getName() + " is impossible");
+void ColumnReader::requireNumber() {
+  const SQLite::Column column = statement_.getColumn(index_);
+  if (!column.isInteger() && !column.isFloat()) failAtColumn(index_);
+}
+
+void ColumnReader::failAtColumn(int index) {
+  throw core::BlobError(std::string("its ") + statement_.getColumn(index).getName() + " is impossible");
 }
 
 mapping::ObjectState objectState(const std::string& name) {

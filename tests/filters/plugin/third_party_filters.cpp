@@ -49,12 +49,28 @@ class IdleFilter : public wardslam::filters::ObservationFilter {
   std::string parameters(int) const override { return {}; }
 };
 
+/// Works until a library fails within it.
+class FailingFilter : public wardslam::filters::ObservationFilter {
+  DEFINE_MRPT_OBJECT(FailingFilter, third_party)
+
+ public:
+  void initialize(const wardslam::core::ConfigNode& parameters, const wardslam::filters::FilterContext&) override {
+    parameters.requireKeys({});
+  }
+  void apply(wardslam::core::Frame& frame) override {
+    if (frame.index == 7) CV_Error(cv::Error::StsAssert, "sizes\ndiffer");
+  }
+  std::string parameters(int) const override { return {}; }
+};
+
 IMPLEMENTS_MRPT_OBJECT(EveryNthFilter, wardslam::filters::ObservationFilter, third_party)
 IMPLEMENTS_MRPT_OBJECT(IdleFilter, wardslam::filters::ObservationFilter, third_party)
+IMPLEMENTS_MRPT_OBJECT(FailingFilter, wardslam::filters::ObservationFilter, third_party)
 
 }  // namespace third_party
 
 MRPT_INITIALIZER(registerThirdPartyFilters) {
   mrpt::rtti::registerClass(CLASS_ID(third_party::EveryNthFilter));
   mrpt::rtti::registerClass(CLASS_ID(third_party::IdleFilter));
+  mrpt::rtti::registerClass(CLASS_ID(third_party::FailingFilter));
 }

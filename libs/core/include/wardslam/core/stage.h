@@ -48,9 +48,16 @@ class Stage {
   /// end early then. Lives as long as the stage.
   [[nodiscard]] const std::atomic<bool>& isWaitedFor() const { return queue_.isWaitedFor(); }
 
-  /// Does all that waits, then gives the worker back; null when that was done before.
+  /// Does all that waits, then gives the worker back; null when it was given back before.
   [[nodiscard]] std::unique_ptr<Worker> finish() {
     queue_.finish();
+    return std::move(worker_);
+  }
+
+  /// Drops all that waits and gives the worker back as it is, also where a task has thrown; null when it was given back
+  /// before.
+  [[nodiscard]] std::unique_ptr<Worker> giveUp() {
+    queue_.stop();
     return std::move(worker_);
   }
 

@@ -19,15 +19,14 @@ enum class StageThread {
 
 /// What happens to a task when too much waits.
 enum class Necessity {
-  Required,   ///< It is done; whoever posts it waits for room.
-  Preferred,  ///< It may be left out, after all that are optional.
-  Optional,   ///< It is left out first, the oldest before others.
+  Required,  ///< It is done; whoever posts it waits for room.
+  Optional,  ///< It may be left out, the oldest first.
 };
 
 /// How many tasks may wait.
 struct StageCapacity {
-  std::size_t required = 64;     ///< At least 1.
-  std::size_t dispensable = 12;  ///< Preferred and optional ones together; 0: these are always left out.
+  std::size_t required = 64;  ///< At least 1.
+  std::size_t optional = 12;  ///< 0: these are always left out.
 };
 
 /// The part of a Stage that does not depend on its worker; what its functions do is said there. For one calling
@@ -43,6 +42,7 @@ class StageQueue {
   void post(std::function<void()> task, Necessity necessity);
   void rethrowFailure() const;
   void finish();
+  void stop();
   [[nodiscard]] std::size_t leftOut() const;
   [[nodiscard]] const std::atomic<bool>& isWaitedFor() const { return isWaitedFor_; }
 
@@ -66,7 +66,7 @@ class StageQueue {
   std::condition_variable changed_;
   std::deque<Waiting> waiting_;
   std::size_t requiredWaiting_ = 0;
-  std::size_t dispensableWaiting_ = 0;
+  std::size_t optionalWaiting_ = 0;
   std::size_t leftOut_ = 0;
   std::exception_ptr failure_;
   bool stopping_ = false;

@@ -30,7 +30,10 @@ class TumTrajectoryWriter {
 
   void write(const core::StampedPose& pose);
 
-  /// Gives the file its name. Throws InputError when the disk did not take all of it.
+  /// Whether the disk did not take all poses; the next write() and finish() try again.
+  [[nodiscard]] bool isBehind() const { return file_.isBehind(); }
+
+  /// Gives the file its name. Throws InputError when the disk did not take all of it; may be tried again then.
   void finish();
 
  private:

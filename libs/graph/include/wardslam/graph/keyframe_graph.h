@@ -21,12 +21,14 @@ struct KeyframeNode {
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
   std::map<PointId, std::size_t> keypointOf;  ///< Points it sees, and the key point of each.
   std::uint32_t submap = 0;                   ///< Keyframes of one submap share a map frame.
+  bool isHeld = false;                        ///< Stays as it is, see KeyframeGraph::hold().
 };
 
 /// A map point and the keyframes that see it.
 struct PointNode {
   odometry::MapPoint point;
   std::set<KeyframeId> seenBy;
+  bool isHeld = false;
 };
 
 /// Keyframes and points, tied by sightings. Two keyframes that see the same points are covisible.
@@ -38,6 +40,10 @@ class KeyframeGraph {
   /// A keyframe of an earlier run, at the pose it carries; its points lie where `p_map_m` says.
   void restore(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                const std::map<PointId, Eigen::Vector3d>& p_map_m);
+
+  /// What is there by now is known for good: whoever changes the graph leaves its poses and positions as they are and
+  /// removes none of it. It can be recognised, and what comes can be tied to it.
+  void hold();
 
   [[nodiscard]] const std::map<KeyframeId, KeyframeNode>& keyframes() const { return keyframes_; }
   [[nodiscard]] const std::map<PointId, PointNode>& points() const { return points_; }

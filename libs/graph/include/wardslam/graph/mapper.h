@@ -16,6 +16,12 @@
 
 namespace wardslam::graph {
 
+/// What is done with the keyframes of an earlier run.
+enum class Saved {
+  MayChange,  ///< They are adjusted and given up as others are.
+  IsHeld,     ///< They and their points stay as they are to the last bit; what comes is fitted to them.
+};
+
 /// Keeps the map of keyframes right as it grows: local bundle adjustment after every keyframe; where an old place is
 /// seen again, the loop is closed over a pose graph and everything adjusted; submaps that meet are joined. Keyframes
 /// that show nothing new are given up again, so that the map grows with the area and not with the time spent in it.
@@ -27,7 +33,7 @@ class Mapper {
 
   /// Before the first insert(). What comes then must be of other submaps and have higher ids; it joins the saved map
   /// where a place is recognised.
-  void restore(const SavedGraph& saved);
+  void restore(const SavedGraph& saved, Saved use = Saved::MayChange);
 
   /// Takes in a keyframe; keyframes come in order. Returns what tracking should know. Adjustments over the whole map
   /// end early once `stop` (may be null) is set.
@@ -40,8 +46,8 @@ class Mapper {
   [[nodiscard]] std::size_t loopsClosed() const { return loopsClosed_; }
   [[nodiscard]] std::size_t submapsJoined() const { return submapsJoined_; }
 
-  /// Adjusts the whole map once more: after the last keyframe.
-  void adjustAll();
+  /// Adjusts the whole map once more: after the last keyframe. Returns where everything is now, as of that keyframe.
+  odometry::MapUpdate adjustAll();
 
  private:
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
@@ -53,6 +59,7 @@ class Mapper {
   void close(const Loop& loop, const std::atomic<bool>* stop, odometry::MapUpdate& update);
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
   void optimisePoses(std::uint32_t submap);
+  [[nodiscard]] bool isHeld(KeyframeId id) const { return graph_.keyframes().at(id).isHeld; }
   void fuse(const Loop& loop, odometry::MapUpdate& update);
   void recallAround(KeyframeId newest, odometry::MapUpdate& update);
   void recall(KeyframeId id, odometry::MapUpdate& update) const;

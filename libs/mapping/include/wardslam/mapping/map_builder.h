@@ -50,7 +50,7 @@ class MapBuilder {
   void addKeyframe(const odometry::Keyframe& keyframe);
 
   /// Better poses of keyframes, keyframes that were removed, and submaps that were joined. Ids nobody added are left
-  /// out. What hung on a removed keyframe hangs on its heir.
+  /// out. Keyframes younger than the update move as its newest does. What hung on a removed keyframe hangs on its heir.
   void apply(const odometry::MapUpdate& update);
 
   /// Works an image in. One whose keyframe nobody added is left out.

@@ -49,7 +49,8 @@ class Obstacles : public pipeline::FrameObserver {
   /// Occupied cells of the plan are obstacles; close forbidden zones first (query::closeZones).
   explicit Obstacles(const mapping::FloorPlan& plan, const ObstacleOptions& options = {});
 
-  /// What a frame shows takes the place of what was seen before. Frames without a pose are left out.
+  /// What a frame shows takes the place of what was seen before. Of a frame without a pose it lies before the robot,
+  /// wherever that is (Frame::T_base_cam, with the robot's frame on the floor), until the next frame.
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
 
   /// The same for points that another sensor sees (m, map frame).
@@ -63,6 +64,7 @@ class Obstacles : public pipeline::FrameObserver {
   std::vector<Eigen::Vector3f> standing_map_m_;
   mutable std::mutex mutex_;  ///< Of what follows.
   std::vector<Eigen::Vector3f> seen_map_m_;
+  std::vector<Eigen::Vector3f> seen_base_m_;  ///< By a frame without a pose.
   double stamp_s_ = 0.0;
 };
 

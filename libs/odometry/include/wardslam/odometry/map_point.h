@@ -32,6 +32,9 @@ struct MapPoint {
 void fuseMeasurement(MapPoint& point, const core::Keypoint& keypoint, const core::CameraModel& camera,
                      const Eigen::Isometry3d& T_map_cam);
 
+/// Moves it within the map frame, with all that is known of it.
+void move(MapPoint& point, const Eigen::Isometry3d& correction);
+
 /// Remembers how the point looks from here.
 void describeFrom(MapPoint& point, const core::Keypoint& keypoint, const OrbDescriptor& descriptor,
                   const Eigen::Isometry3d& T_map_cam);

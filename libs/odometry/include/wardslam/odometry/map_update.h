@@ -24,8 +24,11 @@ struct RemovedKeyframe {
   Eigen::Isometry3d T_heir_cam = Eigen::Isometry3d::Identity();  ///< Of the removed, seen from the heir.
 };
 
-/// Better knowledge of what tracking rests on. What is not named stays as it is.
+/// Better knowledge of what tracking rests on, as of one keyframe. Of what was known then, what is not named stays as
+/// it is; what is younger moves as that keyframe does (correctionOf).
 struct MapUpdate {
+  KeyframeId newestKeyframe = 0;  ///< The newest that was known; named in T_map_cam. 0: nothing younger moves.
+  std::uint32_t submap = 0;       ///< Of that keyframe, by the number it had when it was made.
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
   std::map<PointId, Eigen::Vector3d> p_map_m;
   std::vector<RemovedKeyframe> removedKeyframes;  ///< In order: an heir may be removed itself later on.
@@ -43,5 +46,12 @@ struct MapUpdate {
            fusedPoints.empty() && recalledPoints.empty();
   }
 };
+
+/// The transform within the map frame that all that is younger than the update follows: keyframes, points, the camera,
+/// views underway. `T_map_newest`: where its newest keyframe was believed to be until now.
+[[nodiscard]] inline Eigen::Isometry3d correctionOf(const MapUpdate& update, const Eigen::Isometry3d& T_map_newest) {
+  const auto moved = update.T_map_cam.find(update.newestKeyframe);
+  return moved == update.T_map_cam.end() ? Eigen::Isometry3d::Identity() : moved->second * T_map_newest.inverse();
+}
 
 }  // namespace wardslam::odometry

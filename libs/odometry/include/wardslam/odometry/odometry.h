@@ -61,8 +61,10 @@ class Odometry {
   /// Finds the camera's pose from the static features of the next image.
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures);
 
-  /// Takes over better positions of points and keyframes; the camera moves along with the last keyframe.
-  void apply(const MapUpdate& update);
+  /// Takes over better positions of points and keyframes. What the mapper did not know yet, the camera above all, moves
+  /// as the newest keyframe does that it knew; an update of a submap that tracking has left changes nothing. Returns
+  /// how the camera was moved within the map frame.
+  Eigen::Isometry3d apply(const MapUpdate& update);
 
  private:
   class Tracker;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "wardslam/graph/mapper.h"
 #include "wardslam/graph/saved_graph.h"
 #include "wardslam/mapping/semantic_map.h"
 
@@ -12,9 +13,11 @@ namespace wardslam::pipeline {
 struct EarlierMap {
   graph::SavedGraph graph;
   mapping::SemanticMap semantic;  ///< Without keyframes: only where the camera is matters.
+  graph::Saved use = graph::Saved::MayChange;
 };
 
-/// Throws core::InputError naming the file when it is damaged or holds nothing a camera could be recognised by.
-[[nodiscard]] EarlierMap readEarlierMap(const std::filesystem::path& file);
+/// Without the cloud where the map is only to find oneself in (Saved::IsHeld). Throws core::InputError naming the file
+/// when it is damaged or holds nothing a camera could be recognised by.
+[[nodiscard]] EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use = graph::Saved::MayChange);
 
 }  // namespace wardslam::pipeline

@@ -40,7 +40,7 @@ class FrontEnd {
   Result process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
 
   /// Takes over what the map found out.
-  void apply(const odometry::MapUpdate& update) { odometry_.apply(update); }
+  void apply(const odometry::MapUpdate& update);
 
   /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
   void requireSoundSetup();
@@ -61,6 +61,8 @@ class FrontEnd {
   features::OrbExtractor features_;
   filters::FilterChain filters_;
   odometry::Odometry odometry_;
+  /// Where the camera goes without corrections of the map, which filters would take for its motion.
+  Eigen::Isometry3d T_odom_map_ = Eigen::Isometry3d::Identity();
   core::Profiler profiler_;
 };
 

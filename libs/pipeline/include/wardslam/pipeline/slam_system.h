@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "wardslam/core/event_counts.h"
 #include "wardslam/core/label_space.h"
 #include "wardslam/core/mailbox.h"
 #include "wardslam/core/profiler.h"
@@ -18,6 +19,7 @@
 #include "wardslam/pipeline/front_end.h"
 #include "wardslam/pipeline/slam_options.h"
 #include "wardslam/pipeline/trajectory_recorder.h"
+#include "wardslam/pipeline/when_behind.h"
 #include "wardslam/storage/map_file_writer.h"
 
 namespace wardslam::pipeline {
@@ -32,7 +34,8 @@ class SlamSystem {
  public:
   /// Throws core::InputError when a file the options name is missing or wrong, or when the class names of the earlier
   /// map contradict those in use.
-  explicit SlamSystem(const SlamOptions& options, const EarlierMap& earlier = {});
+  explicit SlamSystem(const SlamOptions& options, const EarlierMap& earlier = {},
+                      WhenBehind whenBehind = WhenBehind::LeavesViewsOut);
   ~SlamSystem();  ///< Without finish(), what still waits to be worked into the map is dropped.
 
   /// How sure the depth of the observations to come is (sources::ObservationSource::depthNoise); a Kinect's unless
@@ -43,7 +46,9 @@ class SlamSystem {
   /// core::InputError for what no later observation mends. Annotates the observation.
   odometry::OdometryResult process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
 
-  /// After the last observation: waits for what is still being worked into the map.
+  /// After the last observation, also when process() has thrown: waits for what is still being worked into the map.
+  /// Throws what a thread of the map has thrown; the map is then as it was left, and all that is said to hold after
+  /// finish() holds.
   void finish();
 
   /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
@@ -68,8 +73,9 @@ class SlamSystem {
   /// `mapping.enabled` is false. The writer must outlive this object.
   void writeTo(storage::MapFileWriter& writer);
 
-  /// Frames that came faster than they could be worked into the semantic map and were left out of it.
-  [[nodiscard]] std::size_t viewsLeftOut() const { return mapBuilding_ ? mapBuilding_->leftOut() : 0; }
+  /// What did not get into the semantic map: "mapping.view_left_out", views that came faster than they could be worked
+  /// in, and "mapping.view_without_masks", those of which nobody knew yet who is in them.
+  [[nodiscard]] core::EventCounts leftOut() const;
 
   /// Time of the first image from which on the earlier map was recognised. Nothing: it was not, or there is none.
   [[nodiscard]] std::optional<double> recognisedAt_s() const { return recognisedAt_s_; }
@@ -86,6 +92,7 @@ class SlamSystem {
 
  private:
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
+  void finishGraph();
 
   SlamOptions options_;
   FrontEnd frontEnd_;

@@ -21,12 +21,16 @@ class FrameBuilder {
 
   /// Keeps a reference to the observation in Frame::observation; the colour image shares its memory. Depth that is
   /// farther than any such camera can see becomes 0. Throws core::FrameError when image or range image are missing,
-  /// or have no calibration or not the size that it says.
+  /// or have no calibration or not the size that it says, and for an image that is not as large as the first: filters
+  /// and tracking compare images with those before them.
   [[nodiscard]] core::Frame build(std::shared_ptr<mrpt::obs::CObservation3DRangeScan> observation);
 
  private:
   class DepthConverter;
 
+  void requireSameSize(const cv::Size& size_px);
+
+  cv::Size size_px_;  ///< Of the first image; empty before it.
   std::uint64_t nextIndex_ = 0;
   core::DepthNoise depthNoise_;
   std::unique_ptr<DepthConverter> depthConverter_;

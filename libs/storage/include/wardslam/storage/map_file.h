@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "wardslam/core/errors.h"
 #include "wardslam/mapping/semantic_map.h"
 #include "wardslam/odometry/keyframe.h"
 
@@ -68,17 +69,30 @@ struct MapFileInfo {
   double lastStamp_s = 0.0;
 };
 
+/// Another program holds the map file.
+class MapInUse : public core::InputError {
+ public:
+  using core::InputError::InputError;
+};
+
 enum class MapAccess { Read, Write };
 enum class CloudPart { Include, LeaveOut };
 
 /// A map on disk, `*.wardmap`: one SQLite database (docs/file_formats.md). Every write() is one transaction: whatever
 /// happens to the process or the power, the file holds all of it or nothing. What read() gives is in the map frame.
 ///
-/// All members throw core::InputError with the file's name where it is damaged, cannot be written, or is in use.
+/// All members throw core::InputError with the file's name where it is damaged, cannot be written, or (MapInUse) is in
+/// use.
 class MapFile {
  public:
-  /// Makes an empty map, in place of a file that may be there.
-  [[nodiscard]] static MapFile create(const std::filesystem::path& file, const MapHeader& header = {});
+  static constexpr int kPatience_ms = 5000;
+
+  /// Makes a map that holds so much, in place of a file that may be there: whatever happens, that or the new one is.
+  [[nodiscard]] static MapFile create(const std::filesystem::path& file, const MapHeader& header = {},
+                                      const MapChanges& content = {});
+
+  /// Leaves a file that may be there alone. Throws core::InputError where create() would.
+  static void requireThatOneCanBeMade(const std::filesystem::path& file);
 
   /// Undoes what a killed process left half written. A file that an older version wrote is brought up to date.
   [[nodiscard]] static MapFile open(const std::filesystem::path& file, MapAccess access = MapAccess::Read);
@@ -87,7 +101,11 @@ class MapFile {
   MapFile(MapFile&&) noexcept;
   MapFile& operator=(MapFile&&) noexcept;
 
-  void write(const MapChanges& changes);
+  /// `patience_ms`: how long to wait for other programs that hold the file.
+  void write(const MapChanges& changes, int patience_ms = kPatience_ms);
+
+  /// Writes into a copy and gives it the file's name: programs that read the file go on reading what they opened.
+  void writeBeside(const MapChanges& changes);
 
   [[nodiscard]] MapFileInfo info() const;
   [[nodiscard]] MapHeader header() const;
@@ -104,6 +122,9 @@ class MapFile {
  private:
   struct Connection;
   explicit MapFile(std::unique_ptr<Connection> connection);
+
+  /// Sightings under old ids may still come, also after the file was opened anew.
+  void remember(const std::map<odometry::PointId, odometry::PointId>& fusedPoints);
 
   std::unique_ptr<Connection> connection_;
 };
