@@ -143,16 +143,33 @@ void prepareMesa() {
   });
 }
 
+/// One thread at a time is in OpenGL. Mesa's software renderer looks, before it reads an image or writes a buffer,
+/// through what all contexts of the process are about to draw (llvmpipe_is_resource_referenced() in Mesa 22.3), and
+/// does not keep their threads from giving just that memory back: it read memory that was gone. Pixels are made by one
+/// thread at a time in there anyway; scenes, people, lenses and noise are not, and files are packed in parallel.
+std::mutex& openGl() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 std::unique_ptr<gl::CFBORender> makeTarget(const cv::Size& size_px, bool ownContext) {
   gl::CFBORender::Parameters parameters(static_cast<unsigned>(size_px.width), static_cast<unsigned>(size_px.height));
   prepareMesa();
   // Two contexts in one thread would hide each other; the second target shares the first one's.
   parameters.create_EGL_context = ownContext;
+  const std::lock_guard lock(openGl());
   try {
     return std::make_unique<gl::CFBORender>(parameters);
   } catch (const std::exception&) {
     throw core::InputError("nothing can be rendered on this machine: install libegl1 and libgl1-mesa-dri");
   }
+}
+
+cv::Mat drawn(gl::CFBORender& target, const gl::COpenGLScene& scene) {
+  mrpt::img::CImage image;
+  const std::lock_guard lock(openGl());
+  target.render_RGB(scene, image);
+  return image.asCvMatRef();
 }
 
 }  // namespace
@@ -314,24 +331,25 @@ cv::Mat Renderer::Impl::withoutAddedColumns(const cv::Mat& image) const {
 /// BGR, through the lens.
 cv::Mat Renderer::Impl::drawColors(const Eigen::Isometry3d& T_world_cam) {
   aim(*colorTarget, colors, largeSize_px, T_world_cam);
-  mrpt::img::CImage large;
-  colorTarget->render_RGB(colors, large);
+  const cv::Mat large = drawn(*colorTarget, colors);
   cv::Mat small;
-  cv::resize(large.asCvMatRef(), small, size_px, 0, 0, cv::INTER_AREA);
+  cv::resize(large, small, size_px, 0, 0, cv::INTER_AREA);
   return lens.colours(withoutAddedColumns(small));
 }
 
 TriangleList::View Renderer::Impl::drawNumbers(const Eigen::Isometry3d& T_world_cam) {
   aim(*numberTarget, numbers, numberSize_px, T_world_cam);
-  mrpt::img::CImage codes;
-  numberTarget->render_RGB(numbers, codes);
-  return triangles.lookedAt(numbersOf(lens.nearest(withoutAddedColumns(codes.asCvMatRef()))), lens, T_world_cam);
+  const cv::Mat codes = drawn(*numberTarget, numbers);
+  return triangles.lookedAt(numbersOf(lens.nearest(withoutAddedColumns(codes))), lens, T_world_cam);
 }
 
 Renderer::Renderer(const Scene& scene, const core::CameraModel& camera)
     : impl_(std::make_unique<Impl>(scene, camera)) {}
 
-Renderer::~Renderer() = default;
+Renderer::~Renderer() {
+  const std::lock_guard lock(openGl());
+  impl_.reset();
+}
 
 Rendering Renderer::render(double t_s, const Eigen::Isometry3d& T_world_cam) {
   impl_->place(t_s, T_world_cam);
