@@ -1,7 +1,6 @@
 #include "chunks.h"
 
 #include <cmath>
-#include <map>
 #include <tuple>
 
 namespace wardslam::synth {
@@ -54,6 +53,16 @@ bool Frustum::mayShow(const Eigen::AlignedBox3f& box_m) const {
   return true;
 }
 
+bool CellView::mayShow(const Eigen::AlignedBox3f& box_m) const {
+  bool isInCell = false;
+  for (const Cell& cell : cells_) {
+    if (!cell.box_m.intersects(box_m)) continue;
+    if (cell.maySee) return true;
+    isInCell = true;
+  }
+  return !isInCell;
+}
+
 Chunks::Chunks(const Scene& scene) : scene_(scene) {
   std::map<ChunkKey, std::size_t> chunkOf;
   std::size_t number = 0;
@@ -77,6 +86,14 @@ Chunks::Chunks(const Scene& scene) : scene_(scene) {
       }
     }
   }
+  for (const Chunk& chunk : chunks_) cells_[chunk.cell].extend(chunk.box_m);
+}
+
+CellView Chunks::cellsFrom(const Eigen::Isometry3d& T_world_cam) const {
+  CellView view;
+  if (!scene_.mayBeSeen) return view;
+  for (const auto& [cell, box_m] : cells_) view.cells_.push_back({box_m, scene_.mayBeSeen(cell, T_world_cam)});
+  return view;
 }
 
 std::vector<bool> Chunks::seenFrom(const Eigen::Isometry3d& T_world_cam, const Frustum& frustum) const {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include "scene.h"
@@ -20,6 +21,21 @@ class Frustum {
 
  private:
   std::array<Eigen::Vector4f, 6> planes_;  ///< Inside where n·p + d >= 0.
+};
+
+/// Which parts of the building a camera may see into, and where those are.
+class CellView {
+ public:
+  /// False only where the box (world frame) lies in none but parts that are not seen.
+  [[nodiscard]] bool mayShow(const Eigen::AlignedBox3f& box_m) const;
+
+ private:
+  friend class Chunks;
+  struct Cell {
+    Eigen::AlignedBox3f box_m;
+    bool maySee = true;
+  };
+  std::vector<Cell> cells_;
 };
 
 /// The static triangles of a scene, cut into chunks that are drawn or left out as a whole: grid cells seen from above,
@@ -43,6 +59,8 @@ class Chunks {
   /// For each chunk whether it may be seen.
   [[nodiscard]] std::vector<bool> seenFrom(const Eigen::Isometry3d& T_world_cam, const Frustum& frustum) const;
 
+  [[nodiscard]] CellView cellsFrom(const Eigen::Isometry3d& T_world_cam) const;
+
   static constexpr float kCell_m = 3.0F;
 
  private:
@@ -53,6 +71,7 @@ class Chunks {
   const Scene& scene_;
   std::vector<Run> runs_;
   std::vector<Chunk> chunks_;
+  std::map<int, Eigen::AlignedBox3f> cells_;  ///< Around all that stands in them.
 };
 
 }  // namespace wardslam::synth

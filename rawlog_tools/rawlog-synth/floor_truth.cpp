@@ -1,6 +1,7 @@
 #include "floor_truth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -13,20 +14,35 @@ constexpr float kLowest_m = 0.05F;
 constexpr float kHighest_m = 1.8F;
 constexpr double kMargin_m = 0.2;
 
-/// Calls `use` with points of a triangle in a robot's way, as seen from above.
+/// The corner where the two shorter edges meet comes first: less is sampled twice along a long and narrow triangle.
+std::array<Eigen::Vector3f, 3> withLongestEdgeLast(const Vertex* corners) {
+  std::array<float, 3> opposite{};  // lengths of the edges that do not touch the corner
+  for (std::size_t i = 0; i < 3; ++i) opposite[i] = (corners[(i + 1) % 3].p_m - corners[(i + 2) % 3].p_m).norm();
+  const auto first = static_cast<std::size_t>(std::max_element(opposite.begin(), opposite.end()) - opposite.begin());
+  return {corners[first].p_m, corners[(first + 1) % 3].p_m, corners[(first + 2) % 3].p_m};
+}
+
+int stepsAlong(const Eigen::Vector3f& edge_m) {
+  return std::max(1, static_cast<int>(std::ceil(edge_m.norm() / kSample_m)));
+}
+
+/// Calls `use` with points of a triangle in a robot's way, as seen from above: along rows from edge to edge.
 template <typename Use>
 void sample(const Vertex* corners, Use&& use) {
-  const Eigen::Vector3f& a = corners[0].p_m;
-  const Eigen::Vector3f u = corners[1].p_m - a;
-  const Eigen::Vector3f v = corners[2].p_m - a;
-  const float heights[] = {a.z(), (a + u).z(), (a + v).z()};
+  const auto [a, b, c] = withLongestEdgeLast(corners);
+  const Eigen::Vector3f u = b - a;
+  const Eigen::Vector3f v = c - a;
+  const float heights[] = {a.z(), b.z(), c.z()};
   if (*std::max_element(heights, heights + 3) < kLowest_m || *std::min_element(heights, heights + 3) > kHighest_m)
     return;
-  const int steps =
-      std::max(1, static_cast<int>(std::ceil(std::max({u.norm(), v.norm(), (u - v).norm()}) / kSample_m)));
-  for (int i = 0; i <= steps; ++i) {
-    for (int j = 0; i + j <= steps; ++j) {
-      const Eigen::Vector3f p = a + (static_cast<float>(i) * u + static_cast<float>(j) * v) / static_cast<float>(steps);
+  const int rows = stepsAlong(u);
+  for (int i = 0; i <= rows; ++i) {
+    const float across = static_cast<float>(i) / static_cast<float>(rows);
+    const Eigen::Vector3f from = a + across * u;
+    const Eigen::Vector3f row = (1.0F - across) * v;
+    const int steps = stepsAlong(row);
+    for (int j = 0; j <= steps; ++j) {
+      const Eigen::Vector3f p = from + row * (static_cast<float>(j) / static_cast<float>(steps));
       if (p.z() >= kLowest_m && p.z() <= kHighest_m) use(Eigen::Vector2f(p.head<2>()));
     }
   }

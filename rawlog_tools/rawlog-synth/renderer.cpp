@@ -2,8 +2,6 @@
 
 #include <mrpt/opengl/CFBORender.h>
 #include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/opengl/CSetOfTexturedTriangles.h>
-#include <mrpt/opengl/CSetOfTriangles.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,6 +11,7 @@
 
 #include "chunks.h"
 #include "lens.h"
+#include "triangle_sets.h"
 #include "triangle_view.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
@@ -30,26 +29,7 @@ constexpr int kNumberScale = 2;
 constexpr float kNear_m = 0.2F;
 constexpr double kStep_m = 0.4;  ///< Backwards, to look around for what comes into view.
 
-gl::TTriangle toTriangle(const Vertex* corner, const mrpt::img::TColor& color) {
-  gl::TTriangle triangle;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vertex& vertex = corner[i];
-    auto& out = triangle.vertices[i];
-    out.xyzrgba.pt = {vertex.p_m.x(), vertex.p_m.y(), vertex.p_m.z()};
-    out.normal = {vertex.normal.x(), vertex.normal.y(), vertex.normal.z()};
-    out.uv = {vertex.uv.x(), vertex.uv.y()};
-    out.setColor(color);
-  }
-  return triangle;
-}
-
-/// Triangle numbers travel through the renderer as colours; black is none.
-mrpt::img::TColor colorOf(std::size_t triangle) {
-  const auto code = static_cast<std::uint32_t>(triangle + 1);
-  return {static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code >> 8U),
-          static_cast<std::uint8_t>(code >> 16U)};
-}
-
+/// What NumberedSet wrote into the image.
 cv::Mat numbersOf(const cv::Mat& bgr) {
   cv::Mat numbers(bgr.size(), CV_32SC1);
   numbers.forEach<int>([&](int& number, const int* at) {
@@ -59,29 +39,15 @@ cv::Mat numbersOf(const cv::Mat& bgr) {
   return numbers;
 }
 
-void insertTextured(gl::CSetOfTexturedTriangles& set, const Vertex* vertices, std::size_t triangles) {
-  for (std::size_t i = 0; i < triangles; ++i) set.insertTriangle(toTriangle(vertices + 3 * i, {255, 255, 255}));
-}
-
-void insertTextured(gl::CSetOfTexturedTriangles& set, const Mesh& mesh) {
-  insertTextured(set, mesh.vertices.data(), mesh.vertices.size() / 3);
-}
-
-/// Each in the colour of its number.
-void insertNumbered(gl::CSetOfTriangles& set, const Vertex* vertices, std::size_t triangles, std::size_t firstNumber) {
-  for (std::size_t i = 0; i < triangles; ++i)
-    set.insertTriangle(toTriangle(vertices + 3 * i, colorOf(firstNumber + i)));
-}
-
-gl::CSetOfTexturedTriangles::Ptr texturedSet(const cv::Mat& texture) {
-  auto set = gl::CSetOfTexturedTriangles::Create();
+std::shared_ptr<TexturedSet> texturedSet(const cv::Mat& texture) {
+  auto set = std::make_shared<TexturedSet>();
   set->enableTextureLinearInterpolation(true);
   set->assignImage(mrpt::img::CImage(texture, mrpt::img::SHALLOW_COPY));
   return set;
 }
 
 /// Soft dark spots that are laid on the floor under what moves; the furniture's are painted on it.
-gl::CSetOfTexturedTriangles::Ptr shadowSet() {
+std::shared_ptr<TexturedSet> shadowSet() {
   constexpr int kSize_px = 64;
   cv::Mat alpha(kSize_px, kSize_px, CV_8UC1);
   alpha.forEach<std::uint8_t>([](std::uint8_t& a, const int* at) {
@@ -90,7 +56,7 @@ gl::CSetOfTexturedTriangles::Ptr shadowSet() {
     const double inside = std::max(0.0, 1 - x * x - y * y);
     a = cv::saturate_cast<std::uint8_t>(120 * inside * inside);
   });
-  auto set = gl::CSetOfTexturedTriangles::Create();
+  auto set = std::make_shared<TexturedSet>();
   set->enableTextureLinearInterpolation(true);
   set->assignImage(mrpt::img::CImage(cv::Mat(alpha.size(), CV_8UC3, cv::Scalar::all(20)), mrpt::img::DEEP_COPY),
                    mrpt::img::CImage(alpha, mrpt::img::DEEP_COPY));
@@ -177,16 +143,33 @@ void prepareMesa() {
   });
 }
 
+/// One thread at a time is in OpenGL. Mesa's software renderer looks, before it reads an image or writes a buffer,
+/// through what all contexts of the process are about to draw (llvmpipe_is_resource_referenced() in Mesa 22.3), and
+/// does not keep their threads from giving just that memory back: it read memory that was gone. Pixels are made by one
+/// thread at a time in there anyway; scenes, people, lenses and noise are not, and files are packed in parallel.
+std::mutex& openGl() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 std::unique_ptr<gl::CFBORender> makeTarget(const cv::Size& size_px, bool ownContext) {
   gl::CFBORender::Parameters parameters(static_cast<unsigned>(size_px.width), static_cast<unsigned>(size_px.height));
   prepareMesa();
   // Two contexts in one thread would hide each other; the second target shares the first one's.
   parameters.create_EGL_context = ownContext;
+  const std::lock_guard lock(openGl());
   try {
     return std::make_unique<gl::CFBORender>(parameters);
   } catch (const std::exception&) {
     throw core::InputError("nothing can be rendered on this machine: install libegl1 and libgl1-mesa-dri");
   }
+}
+
+cv::Mat drawn(gl::CFBORender& target, const gl::COpenGLScene& scene) {
+  mrpt::img::CImage image;
+  const std::lock_guard lock(openGl());
+  target.render_RGB(scene, image);
+  return image.asCvMatRef();
 }
 
 }  // namespace
@@ -196,7 +179,7 @@ struct Renderer::Impl {
   void addThings();
   void addActor(const Actor& actor);
   void placeThings(const Eigen::Isometry3d& T_world_cam, const Frustum& frustum);
-  void placeActors(double t_s, const Frustum& frustum);
+  void placeActors(double t_s, const Eigen::Isometry3d& T_world_cam, const Frustum& frustum);
   void place(double t_s, const Eigen::Isometry3d& T_world_cam);
   void sortForBlending(const Eigen::Isometry3d& T_world_cam);
   void aim(gl::CFBORender& target, const gl::COpenGLScene& what, const cv::Size& targetSize_px,
@@ -218,14 +201,14 @@ struct Renderer::Impl {
   gl::COpenGLScene numbers;  ///< Each triangle in the colour of its number.
   Chunks chunks;
   std::vector<bool> seen;  ///< The chunks that the sets hold now.
-  std::map<Material, gl::CSetOfTexturedTriangles::Ptr> things;
-  gl::CSetOfTriangles::Ptr flatThings = gl::CSetOfTriangles::Create();
+  std::map<Material, std::shared_ptr<TexturedSet>> things;
+  NumberedSet flatThings;
   TriangleList triangles;  ///< Those of the static things first.
   std::size_t staticTriangles = 0;
-  std::map<Material, gl::CSetOfTexturedTriangles::Ptr> moving;  ///< Of all actors: each texture is there once.
-  std::vector<gl::CSetOfTriangles::Ptr> flatActors;
-  std::vector<gl::CSetOfTexturedTriangles::Ptr> opaque;  ///< The building first.
-  gl::CSetOfTexturedTriangles::Ptr shadows = shadowSet();
+  std::map<Material, std::shared_ptr<TexturedSet>> moving;  ///< Of all actors: each texture is there once.
+  NumberedSet flatActors;
+  std::vector<std::shared_ptr<TexturedSet>> opaque;  ///< The building first.
+  std::shared_ptr<TexturedSet> shadows = shadowSet();
 };
 
 Renderer::Impl::Impl(const Scene& renderedScene, const core::CameraModel& model)
@@ -256,7 +239,8 @@ void Renderer::Impl::addThings() {
     }
   }
   for (const auto& [material, set] : things) opaque.push_back(set);
-  numbers.insert(flatThings);
+  numbers.insert(flatThings.drawn());
+  numbers.insert(flatActors.drawn());
   staticTriangles = triangles.size();
 }
 
@@ -268,8 +252,6 @@ void Renderer::Impl::addActor(const Actor& actor) {
     set = texturedSet(scene.textures.at(surface.material));
     opaque.push_back(set);
   }
-  flatActors.push_back(gl::CSetOfTriangles::Create());
-  numbers.insert(flatActors.back());
 }
 
 /// Fills the sets with the chunks in view and around it, so that they mostly hold them already.
@@ -282,36 +264,40 @@ void Renderer::Impl::placeThings(const Eigen::Isometry3d& T_world_cam, const Fru
                                               static_cast<double>(scene.farthest_m)));
   for (std::size_t i = 0; i < needed.size(); ++i) seen[i] = seen[i] || needed[i];
   for (const auto& [material, set] : things) set->clearTriangles();
-  flatThings->clearTriangles();
+  flatThings.clear();
   for (const Chunks::Run& run : chunks.runs()) {
     if (!seen[run.chunk]) continue;
-    insertTextured(*things.at(run.material), run.vertices, run.triangles);
-    insertNumbered(*flatThings, run.vertices, run.triangles, run.firstNumber);
+    things.at(run.material)->append(run.vertices, run.triangles);
+    flatThings.append(run.vertices, run.triangles, run.firstNumber);
   }
+  flatThings.show();
 }
 
-void Renderer::Impl::placeActors(double t_s, const Frustum& frustum) {
+void Renderer::Impl::placeActors(double t_s, const Eigen::Isometry3d& T_world_cam, const Frustum& frustum) {
   triangles.shrink(staticTriangles);
   shadows->clearTriangles();
   for (const auto& [material, set] : moving) set->clearTriangles();
-  for (std::size_t i = 0; i < flatActors.size(); ++i) {
-    flatActors[i]->clearTriangles();
-    if (!frustum.mayShow(withItsShadow(scene.actors[i]->boundsAt(t_s)))) continue;
-    const Surfaces surfaces = scene.actors[i]->surfacesAt(t_s);
-    insertTextured(*shadows, shadowUnder(surfaces, shadowHeight_m(i)));
-    for (std::size_t k = 0; k < surfaces.size(); ++k) {
-      const auto& vertices = surfaces[k].mesh.vertices;
-      insertTextured(*moving.at(surfaces[k].material), surfaces[k].mesh);
-      insertNumbered(*flatActors[i], vertices.data(), vertices.size() / 3, triangles.size());
-      triangles.add(surfaces[k].mesh, scene.actors[i]->label().id);
+  flatActors.clear();
+  const CellView cells = chunks.cellsFrom(T_world_cam);
+  for (std::size_t i = 0; i < scene.actors.size(); ++i) {
+    const Actor& actor = *scene.actors[i];
+    const Eigen::AlignedBox3f bounds_m = withItsShadow(actor.boundsAt(t_s));
+    if (!frustum.mayShow(bounds_m) || !cells.mayShow(bounds_m)) continue;
+    const Surfaces surfaces = actor.surfacesAt(t_s);
+    shadows->append(shadowUnder(surfaces, shadowHeight_m(i)));
+    for (const Surface& surface : surfaces) {
+      moving.at(surface.material)->append(surface.mesh);
+      flatActors.append(surface.mesh.vertices.data(), surface.mesh.vertices.size() / 3, triangles.size());
+      triangles.add(surface.mesh, actor.label().id);
     }
   }
+  flatActors.show();
 }
 
 void Renderer::Impl::place(double t_s, const Eigen::Isometry3d& T_world_cam) {
   const Frustum frustum(camera, T_world_cam, static_cast<double>(scene.farthest_m));
   placeThings(T_world_cam, frustum);
-  placeActors(t_s, frustum);
+  placeActors(t_s, T_world_cam, frustum);
   sortForBlending(T_world_cam);
 }
 
@@ -345,24 +331,25 @@ cv::Mat Renderer::Impl::withoutAddedColumns(const cv::Mat& image) const {
 /// BGR, through the lens.
 cv::Mat Renderer::Impl::drawColors(const Eigen::Isometry3d& T_world_cam) {
   aim(*colorTarget, colors, largeSize_px, T_world_cam);
-  mrpt::img::CImage large;
-  colorTarget->render_RGB(colors, large);
+  const cv::Mat large = drawn(*colorTarget, colors);
   cv::Mat small;
-  cv::resize(large.asCvMatRef(), small, size_px, 0, 0, cv::INTER_AREA);
+  cv::resize(large, small, size_px, 0, 0, cv::INTER_AREA);
   return lens.colours(withoutAddedColumns(small));
 }
 
 TriangleList::View Renderer::Impl::drawNumbers(const Eigen::Isometry3d& T_world_cam) {
   aim(*numberTarget, numbers, numberSize_px, T_world_cam);
-  mrpt::img::CImage codes;
-  numberTarget->render_RGB(numbers, codes);
-  return triangles.lookedAt(numbersOf(lens.nearest(withoutAddedColumns(codes.asCvMatRef()))), lens, T_world_cam);
+  const cv::Mat codes = drawn(*numberTarget, numbers);
+  return triangles.lookedAt(numbersOf(lens.nearest(withoutAddedColumns(codes))), lens, T_world_cam);
 }
 
 Renderer::Renderer(const Scene& scene, const core::CameraModel& camera)
     : impl_(std::make_unique<Impl>(scene, camera)) {}
 
-Renderer::~Renderer() = default;
+Renderer::~Renderer() {
+  const std::lock_guard lock(openGl());
+  impl_.reset();
+}
 
 Rendering Renderer::render(double t_s, const Eigen::Isometry3d& T_world_cam) {
   impl_->place(t_s, T_world_cam);

@@ -9,7 +9,9 @@
 
 #include "ordered_work.h"
 #include "recording_camera.h"
+#include "rests.h"
 #include "sequence_writer.h"
+#include "wardslam/core/atomic_file.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/mrpt_opengl_compat.h"
 
@@ -130,6 +132,7 @@ std::size_t synthesise(const SynthesisOptions& options, const std::function<bool
   const double seconds = static_cast<double>(done) / rate_hz;
   writer.finish(staticObjects(setting, seconds), setting.floorPlan(setting.scene, seconds),
                 [&](const std::filesystem::path& folder) {
+                  core::writeFileAtomically(folder / "rests.csv", restsText(setting.scene, seconds));
                   if (setting.writeFurtherTruth) setting.writeFurtherTruth(folder, seconds);
                 });
   return done;

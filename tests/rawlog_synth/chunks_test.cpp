@@ -80,5 +80,29 @@ TEST(Chunks, CellsThatAPlaceHidesAreNotSeen) {
   EXPECT_FALSE(seen[chunks.runs()[1].chunk]);
 }
 
+TEST(CellView, HidesWhatLiesInUnseenPartsAlone) {
+  Scene scene;
+  const Mesh cube = box({4, 4, 2});
+  scene.things.push_back({{1, "here", 1, "box"}, {{Material::Plastic, cube}}, 0});
+  Mesh there = cube;
+  scene.things.push_back({{2, "there", 1, "box"}, {{Material::Plastic, there.transform(at(4, 0, 0))}}, 1});
+  scene.mayBeSeen = [](int cell, const Eigen::Isometry3d&) { return cell == 0; };
+  const Chunks chunks(scene);
+  const CellView cells = chunks.cellsFrom(Eigen::Isometry3d::Identity());
+  const auto boxAround = [](float x_m) {
+    return Eigen::AlignedBox3f(Eigen::Vector3f(x_m - 0.5F, -0.5F, 0), Eigen::Vector3f(x_m + 0.5F, 0.5F, 1));
+  };
+  EXPECT_TRUE(cells.mayShow(boxAround(0)));
+  EXPECT_TRUE(cells.mayShow(boxAround(2))) << "in the door";
+  EXPECT_FALSE(cells.mayShow(boxAround(4)));
+  EXPECT_TRUE(cells.mayShow(boxAround(9))) << "nobody knows what is there";
+  scene.mayBeSeen = [](int cell, const Eigen::Isometry3d&) { return cell == 1; };
+  const CellView others = chunks.cellsFrom(Eigen::Isometry3d::Identity());
+  EXPECT_TRUE(others.mayShow(boxAround(2))) << "in the door, seen from the other side";
+  EXPECT_FALSE(others.mayShow(boxAround(0)));
+  scene.mayBeSeen = nullptr;
+  EXPECT_TRUE(chunks.cellsFrom(Eigen::Isometry3d::Identity()).mayShow(boxAround(4)));
+}
+
 }  // namespace
 }  // namespace wardslam::synth

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace wardslam::synth {
 namespace {
 
@@ -33,6 +35,17 @@ TEST(FloorTruth, LeavesOutWhatARobotDrivesOverOrUnder) {
   scene.things.push_back(boxAt(2.0F, 3.0F, 2.0F, {1.0F, 1.0F, 0.2F}));    // a lamp
   const FloorPlan plan = trueFloor(scene, 0.0);
   EXPECT_LT(plan.origin_m.x() + plan.resolution_m * plan.cells.cols, 1.0);  // nothing there
+}
+
+TEST(FloorTruth, ALongWallHasNoHoles) {
+  constexpr float kTurn_rad = 0.3F;
+  const Mesh wall = panel({0, 0, 0}, {40, 0, 0}, {0, 0, 3}).transform(at(0, 0, 0, kTurn_rad));
+  Scene scene;
+  scene.things.push_back({{1, "wall", 1, "wall"}, {{Material::Plastic, wall}}});
+  const FloorPlan plan = trueFloor(scene, 0.0);
+  for (double along_m = 0.05; along_m < 39.95; along_m += 0.02) {
+    EXPECT_EQ(cellAt(plan, along_m * std::cos(0.3), along_m * std::sin(0.3)), FloorPlan::kOccupied) << along_m;
+  }
 }
 
 TEST(FloorTruth, OfNothingIsEmpty) { EXPECT_TRUE(trueFloor({}, 0.0).cells.empty()); }

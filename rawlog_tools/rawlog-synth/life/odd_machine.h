@@ -7,6 +7,6 @@ namespace wardslam::synth {
 /// A machine on wheels that no network has a name for; pushed along x, handle at kOddMachineHandleX_m.
 [[nodiscard]] Surfaces makeOddMachine(cv::RNG& rng);
 constexpr double kOddMachineHandleX_m = -0.38;
-constexpr core::ClassId kMedicalDevice = 132;
+constexpr core::ClassId kMedicalDevice = 135;
 
 }  // namespace wardslam::synth
