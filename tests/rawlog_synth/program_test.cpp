@@ -70,8 +70,8 @@ TEST(RawlogSynth, SameArgumentsGiveTheSameBytes) {
   ASSERT_EQ(run("-o " + (folder.path() / "b/ward.rawlog").string() + size), 0);
   ASSERT_EQ(run("-o " + (folder.path() / "c/ward.rawlog").string() + size + " --seed 2"), 0);
   const auto content = contentOf(folder.path() / "a");
-  EXPECT_EQ(content.size(), 15U)
-      << "rawlog, ground truth, 3 x 3 label images, classes, objects, floor plan in two files";
+  EXPECT_EQ(content.size(), 16U)
+      << "rawlog, ground truth, 3 x 3 label images, classes, objects, rests, floor plan in two files";
   EXPECT_TRUE(content == contentOf(folder.path() / "b"));
   EXPECT_FALSE(content == contentOf(folder.path() / "c"));
 }
