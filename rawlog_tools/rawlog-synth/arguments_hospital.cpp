@@ -24,6 +24,12 @@ void declareHospital(CLI::App& app, HospitalOptions& options) {
   app.add_option("--day", options.day, "so many days later: things were moved, taken away and brought")
       ->check(CLI::Range(0, kLastDay))
       ->capture_default_str();
+  app.add_option("--storeys", options.storeys, "so many, one above the other; each has rooms and people of its own")
+      ->check(CLI::Range(1, kMostStoreys))
+      ->capture_default_str();
+  app.add_option("--storey", options.storey, "which of them is driven on, from 0, the lowest")
+      ->check(CLI::Range(0, kMostStoreys - 1))
+      ->capture_default_str();
   std::vector<std::string> names;
   for (const auto& [name, density] : densities()) names.push_back(name);
   app.add_option_function<std::string>(

@@ -28,13 +28,14 @@ int stepsAlong(const Eigen::Vector3f& edge_m) {
 
 /// Calls `use` with points of a triangle in a robot's way, as seen from above: along rows from edge to edge.
 template <typename Use>
-void sample(const Vertex* corners, Use&& use) {
+void sample(const Vertex* corners, float floorZ_m, Use&& use) {
   const auto [a, b, c] = withLongestEdgeLast(corners);
   const Eigen::Vector3f u = b - a;
   const Eigen::Vector3f v = c - a;
+  const float lowest_m = floorZ_m + kLowest_m;
+  const float highest_m = floorZ_m + kHighest_m;
   const float heights[] = {a.z(), b.z(), c.z()};
-  if (*std::max_element(heights, heights + 3) < kLowest_m || *std::min_element(heights, heights + 3) > kHighest_m)
-    return;
+  if (*std::max_element(heights, heights + 3) < lowest_m || *std::min_element(heights, heights + 3) > highest_m) return;
   const int rows = stepsAlong(u);
   for (int i = 0; i <= rows; ++i) {
     const float across = static_cast<float>(i) / static_cast<float>(rows);
@@ -43,33 +44,35 @@ void sample(const Vertex* corners, Use&& use) {
     const int steps = stepsAlong(row);
     for (int j = 0; j <= steps; ++j) {
       const Eigen::Vector3f p = from + row * (static_cast<float>(j) / static_cast<float>(steps));
-      if (p.z() >= kLowest_m && p.z() <= kHighest_m) use(Eigen::Vector2f(p.head<2>()));
+      if (p.z() >= lowest_m && p.z() <= highest_m) use(Eigen::Vector2f(p.head<2>()));
     }
   }
 }
 
 template <typename Use>
-void sample(const Surfaces& surfaces, Use&& use) {
+void sample(const Surfaces& surfaces, float floorZ_m, Use&& use) {
   for (const Surface& surface : surfaces) {
     const auto& vertices = surface.mesh.vertices;
-    for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) sample(&vertices[i], use);
+    for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) sample(&vertices[i], floorZ_m, use);
   }
 }
 
 template <typename Use>
-void sample(const Scene& scene, double until_s, Use&& use) {
-  for (const Thing& thing : scene.things) sample(thing.surfaces, use);
+void sample(const Scene& scene, double until_s, float floorZ_m, Use&& use) {
+  for (const Thing& thing : scene.things) sample(thing.surfaces, floorZ_m, use);
   for (const auto& actor : scene.actors) {
-    if (restAt(*actor, until_s)) sample(actor->surfacesAt(until_s), use);
+    if (restAt(*actor, until_s)) sample(actor->surfacesAt(until_s), floorZ_m, use);
   }
 }
 
 }  // namespace
 
-mapping::FloorPlan trueFloor(const Scene& scene, double until_s) {
+mapping::FloorPlan trueFloor(const Scene& scene, double until_s) { return trueFloorAt(scene, until_s, 0.0F); }
+
+mapping::FloorPlan trueFloorAt(const Scene& scene, double until_s, float floorZ_m) {
   // Twice over the same points: those of a whole building are too many to be kept.
   Eigen::AlignedBox2f extent;
-  sample(scene, until_s, [&](const Eigen::Vector2f& p) { extent.extend(p); });
+  sample(scene, until_s, floorZ_m, [&](const Eigen::Vector2f& p) { extent.extend(p); });
   mapping::FloorPlan plan;
   plan.resolution_m = kCell_m;
   if (extent.isEmpty()) return plan;
@@ -78,7 +81,7 @@ mapping::FloorPlan trueFloor(const Scene& scene, double until_s) {
   const Eigen::Vector2d cells = (extent.sizes().cast<double>().array() + 2 * kMargin_m) / kCell_m;
   plan.cells = cv::Mat(static_cast<int>(std::ceil(cells.y())), static_cast<int>(std::ceil(cells.x())), CV_8UC1,
                        cv::Scalar(mapping::FloorPlan::kFree));
-  sample(scene, until_s, [&](const Eigen::Vector2f& p) {
+  sample(scene, until_s, floorZ_m, [&](const Eigen::Vector2f& p) {
     const Eigen::Vector2d cell = ((p.cast<double>() - plan.origin_m) / kCell_m).array().floor();
     plan.cells.at<unsigned char>(static_cast<int>(cell.y()), static_cast<int>(cell.x())) =
         mapping::FloorPlan::kOccupied;

@@ -29,7 +29,9 @@ struct Setting {
   /// The true floor plan of what stands at `until_s`.
   std::function<mapping::FloorPlan(const Scene& scene, double until_s)> floorPlan = trueFloor;
   /// The id of the room around the place, where rooms are known. Empty: they are not.
-  std::function<std::string(const Eigen::Vector2d& p_m)> roomAt;
+  std::function<std::string(const Eigen::Vector3d& p_m)> roomAt;
+  /// The storey whose height it is, where there are several. Empty: there is one.
+  std::function<int(double z_m)> storeyAt;
   /// Writes what else is known of the place into the folder of labels, where there is more. Empty: nothing.
   std::function<void(const std::filesystem::path& labelsFolder, double until_s)> writeFurtherTruth;
 };

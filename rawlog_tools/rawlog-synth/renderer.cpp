@@ -74,20 +74,20 @@ float shadowHeight_m(std::size_t actor) {
 constexpr float kShadowSpread_m = 0.22F;
 
 /// What is seen of an actor, whose bounds these are: its shadow falls around it.
-Eigen::AlignedBox3f withItsShadow(Eigen::AlignedBox3f bounds_m) {
+Eigen::AlignedBox3f withItsShadow(const Eigen::AlignedBox3f& bounds_m, float floorZ_m) {
   const Eigen::Vector3f spread(kShadowSpread_m, kShadowSpread_m, 0);
   return Eigen::AlignedBox3f(bounds_m.min() - spread, bounds_m.max() + spread)
-      .extend(Eigen::Vector3f(bounds_m.center().x(), bounds_m.center().y(), 0));
+      .extend(Eigen::Vector3f(bounds_m.center().x(), bounds_m.center().y(), floorZ_m));
 }
 
-/// `above_m`: each shadow at its own height, so that they do not fight where they overlap.
-Mesh shadowUnder(const Surfaces& surfaces, float above_m) {
+/// `z_m`: each shadow at its own height, so that they do not fight where they overlap.
+Mesh shadowUnder(const Surfaces& surfaces, float z_m) {
   Eigen::AlignedBox3f box;
   for (const Surface& surface : surfaces) {
     for (const Vertex& vertex : surface.mesh.vertices) box.extend(vertex.p_m);
   }
   const Eigen::Vector3f size = box.sizes() + Eigen::Vector3f::Constant(2 * kShadowSpread_m);
-  return panel({box.min().x() - kShadowSpread_m, box.min().y() - kShadowSpread_m, above_m}, {size.x(), 0, 0},
+  return panel({box.min().x() - kShadowSpread_m, box.min().y() - kShadowSpread_m, z_m}, {size.x(), 0, 0},
                {0, size.y(), 0});
 }
 
@@ -281,10 +281,10 @@ void Renderer::Impl::placeActors(double t_s, const Eigen::Isometry3d& T_world_ca
   const CellView cells = chunks.cellsFrom(T_world_cam);
   for (std::size_t i = 0; i < scene.actors.size(); ++i) {
     const Actor& actor = *scene.actors[i];
-    const Eigen::AlignedBox3f bounds_m = withItsShadow(actor.boundsAt(t_s));
+    const Eigen::AlignedBox3f bounds_m = withItsShadow(actor.boundsAt(t_s), actor.floorZ_m());
     if (!frustum.mayShow(bounds_m) || !cells.mayShow(bounds_m)) continue;
     const Surfaces surfaces = actor.surfacesAt(t_s);
-    shadows->append(shadowUnder(surfaces, shadowHeight_m(i)));
+    shadows->append(shadowUnder(surfaces, actor.floorZ_m() + shadowHeight_m(i)));
     for (const Surface& surface : surfaces) {
       moving.at(surface.material)->append(surface.mesh);
       flatActors.append(surface.mesh.vertices.data(), surface.mesh.vertices.size() / 3, triangles.size());

@@ -62,6 +62,8 @@ class Actor {
   [[nodiscard]] virtual Eigen::AlignedBox3f boundsAt(double t_s) const;
   /// When and where it rests until `t_s`, in order: what a map may hold of it. A person never rests.
   [[nodiscard]] virtual std::vector<RestInterval> restsUntil(double t_s) const;
+  /// Height of the floor it is on, where its shadow falls.
+  [[nodiscard]] virtual float floorZ_m() const { return 0.0F; }
 
  private:
   Label label_;

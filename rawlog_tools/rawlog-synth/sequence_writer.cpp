@@ -62,8 +62,11 @@ std::string classesText(const std::vector<Label>& labels) {
 std::string objectsText(const std::vector<StaticObject>& objects) {
   std::ostringstream text;
   const bool roomsKnown = std::any_of(objects.begin(), objects.end(), [](const auto& o) { return o.room.has_value(); });
+  const bool storeysKnown =
+      std::any_of(objects.begin(), objects.end(), [](const auto& o) { return o.storey.has_value(); });
   text << "instance_id,name,class_id,class_name,cx,cy,cz,xmin,ymin,zmin,xmax,ymax,zmax,static_from_s"
-       << (roomsKnown ? ",identity,room\n" : "\n") << std::fixed << std::setprecision(3);
+       << (roomsKnown ? ",identity,room" : "") << (storeysKnown ? ",storey\n" : "\n") << std::fixed
+       << std::setprecision(3);
   for (const StaticObject& object : objects) {
     text << object.label.id << "," << object.label.name << "," << static_cast<int>(object.label.classId) << ","
          << object.label.className;
@@ -72,6 +75,7 @@ std::string objectsText(const std::vector<StaticObject>& objects) {
     }
     text << "," << object.restsFrom_s;
     if (roomsKnown) text << "," << object.label.id << "," << object.room.value_or("");
+    if (storeysKnown) text << "," << object.storey.value_or(0);
     text << "\n";
   }
   return text.str();

@@ -20,6 +20,7 @@ struct StaticObject {
   Eigen::AlignedBox3f box_m;                       ///< World frame.
   double restsFrom_s = 0.0;                        ///< Seconds after the start; 0 = always.
   std::optional<std::string> room = std::nullopt;  ///< Id of the room around its middle, where rooms are known.
+  std::optional<int> storey = std::nullopt;        ///< Where there are several.
 };
 
 /// A frame as it goes to the disk.

@@ -46,7 +46,9 @@ std::vector<StaticObject> staticObjects(const Setting& setting, double seconds) 
     if (rest) objects.push_back({actor->label(), boundsOf(actor->surfacesAt(seconds)), rest->from_s});
   }
   for (StaticObject& object : objects) {
-    if (setting.roomAt) object.room = setting.roomAt(object.box_m.center().head<2>().cast<double>());
+    const Eigen::Vector3d centre_m = object.box_m.center().cast<double>();
+    if (setting.roomAt) object.room = setting.roomAt(centre_m);
+    if (setting.storeyAt) object.storey = setting.storeyAt(centre_m.z());
   }
   std::sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.label.id < b.label.id; });
   return objects;

@@ -37,6 +37,16 @@ TEST(FloorTruth, LeavesOutWhatARobotDrivesOverOrUnder) {
   EXPECT_LT(plan.origin_m.x() + plan.resolution_m * plan.cells.cols, 1.0);  // nothing there
 }
 
+TEST(FloorTruth, IsThatOfTheStoreyAskedFor) {
+  Scene scene;
+  scene.things.push_back(boxAt(0.0F, 0.0F, 0.5F, {0.1F, 0.1F, 1.0F}));
+  scene.things.push_back(boxAt(2.0F, 0.0F, 4.1F, {0.1F, 0.1F, 1.0F}));
+  const FloorPlan above = trueFloorAt(scene, 0.0, 3.6F);
+  EXPECT_NEAR(above.origin_m.x(), 1.95 - 0.2, 0.01);
+  EXPECT_EQ(cellAt(above, 2.04, 0.0), FloorPlan::kOccupied);
+  EXPECT_NEAR(trueFloor(scene, 0.0).origin_m.x(), -0.05 - 0.2, 0.01);
+}
+
 TEST(FloorTruth, ALongWallHasNoHoles) {
   constexpr float kTurn_rad = 0.3F;
   const Mesh wall = panel({0, 0, 0}, {40, 0, 0}, {0, 0, 3}).transform(at(0, 0, 0, kTurn_rad));

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "hospital/hospital_furnishing.h"
@@ -20,7 +22,7 @@ class HospitalTruth : public ::testing::Test {
 };
 
 TEST_F(HospitalTruth, RoomsAreClosedPolygonsAndDoorsLinesBetweenThem) {
-  const auto json = nlohmann::json::parse(roomsGeoJson(plan));
+  const auto json = nlohmann::json::parse(roomsGeoJson({&plan}));
   std::size_t rooms = 0;
   std::size_t doors = 0;
   for (const auto& feature : json["features"]) {
@@ -40,6 +42,24 @@ TEST_F(HospitalTruth, RoomsAreClosedPolygonsAndDoorsLinesBetweenThem) {
   EXPECT_EQ(doors, plan.doors.size());
 }
 
+TEST_F(HospitalTruth, TellsStoreysApart) {
+  const HospitalPlan above = planHospital(1, 1);
+  const auto json = nlohmann::json::parse(roomsGeoJson({&plan, &above}));
+  std::map<int, std::size_t> features;
+  std::set<std::string> ids;
+  for (const auto& feature : json["features"]) {
+    const auto& properties = feature["properties"];
+    ++features[properties["storey"]];
+    if (properties.contains("id")) EXPECT_TRUE(ids.insert(properties["id"]).second) << properties["id"];
+  }
+  EXPECT_EQ(features[0], plan.rooms.size() + plan.doors.size() + 1);
+  EXPECT_EQ(features[1], above.rooms.size() + above.doors.size() + 1);
+  const HospitalDay todayAbove = daysLater(above, furnish(above, 1, true), 2, 1);
+  const std::string days = daysCsv({{plan, today}, {above, todayAbove}});
+  EXPECT_EQ(static_cast<std::size_t>(std::count(days.begin(), days.end(), '\n')),
+            1 + today.changes.size() + todayAbove.changes.size());
+}
+
 TEST_F(HospitalTruth, ZonesAreReadAsZones) {
   const test::TemporaryFolder folder;
   const auto zones = mapping::Zones::fromFile(folder.write("zones.yaml", zonesYaml(plan)));
@@ -47,7 +67,7 @@ TEST_F(HospitalTruth, ZonesAreReadAsZones) {
 }
 
 TEST_F(HospitalTruth, EveryChangeIsALineWithTwoPlaces) {
-  std::istringstream text(daysCsv(plan, today));
+  std::istringstream text(daysCsv({{plan, today}}));
   std::string line;
   std::getline(text, line);
   EXPECT_EQ(line, "day,identity,name,class_name,what,from_room,from_x,from_y,from_yaw,to_room,to_x,to_y,to_yaw");

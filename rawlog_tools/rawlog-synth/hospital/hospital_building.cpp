@@ -209,8 +209,8 @@ std::vector<Thing> buildWalls(const HospitalPlan& plan, std::uint32_t seed) {
   std::vector<Thing> things;
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
     // Wards are painted alike; every other room has its own numbers.
-    const std::uint64_t own = plan.rooms[i].kind == RoomKind::Ward ? 999 : i;
-    cv::RNG rng((static_cast<std::uint64_t>(seed) << 32U) + 5000 + own);
+    const bool isWard = plan.rooms[i].kind == RoomKind::Ward;
+    cv::RNG rng = isWard ? cv::RNG((static_cast<std::uint64_t>(seed) << 32U) + 5999) : numbersOf(plan, seed, 5000 + i);
     things.push_back(Walls(plan, i, rng).build());
   }
   return things;

@@ -18,7 +18,7 @@ class Night {
   Night(const HospitalPlan& plan, const Placing& placing, std::uint32_t seed, int day, HospitalDay& hospital)
       : plan_(plan),
         placing_(placing),
-        rng_((static_cast<std::uint64_t>(seed) << 32U) + 60000 + static_cast<std::uint64_t>(day)),
+        rng_(numbersOf(plan, seed, 60000 + static_cast<std::uint64_t>(day))),
         day_(day),
         items_(hospital.items),
         changes_(hospital.changes) {}
@@ -128,7 +128,7 @@ void Night::bring(ItemKind kind) {
   if (pattern == items_.end()) return;
   Item item = *pattern;
   item.occupied = false;
-  item.identity = item.number = kFirstNewIdentity + (day_ - 1) * kMostNewPerDay + new_;
+  item.identity = item.number = firstNewIdentity(plan_.storey) + (day_ - 1) * kMostNewPerDay + new_;
   item.modelSeed = rng_.next();
   item.footprint_m = footprintOf(item);
   const auto rooms = roomsFor(kind);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hospital/hospital_identities.h"
 #include "hospital/hospital_items.h"
 #include "hospital/hospital_plan.h"
 
@@ -29,8 +30,6 @@ struct HospitalDay {
 /// `day0` as it is so many days later. Every day follows from the one before.
 [[nodiscard]] HospitalDay daysLater(const HospitalPlan& plan, std::vector<Item> day0, int days, std::uint32_t seed);
 
-/// Identities of what comes new begin here.
-constexpr int kFirstNewIdentity = 20000;
 constexpr int kMostNewPerDay = 50;
 constexpr int kLastDay = 200;
 

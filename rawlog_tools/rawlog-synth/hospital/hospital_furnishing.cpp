@@ -1,12 +1,24 @@
 #include "hospital/hospital_furnishing.h"
 
+#include "hospital/hospital_identities.h"
 #include "hospital/hospital_rooms.h"
 
 namespace wardslam::synth {
 namespace {
 
-cv::RNG numbersFor(std::uint32_t seed, std::uint64_t what) {
-  return cv::RNG((static_cast<std::uint64_t>(seed) << 32U) + 20000 + what);
+/// Wards are alike on all storeys, everything else is each one's own.
+cv::RNG numbersForWards(std::uint32_t seed) { return cv::RNG((static_cast<std::uint64_t>(seed) << 32U) + 20999); }
+
+cv::RNG numbersForRoom(const HospitalPlan& plan, std::uint32_t seed, std::size_t room) {
+  return plan.rooms[room].kind == RoomKind::Ward ? numbersForWards(seed) : numbersOf(plan, seed, 20000 + room);
+}
+
+/// Tells storeys apart by their numbers.
+void number(std::vector<Item>& items, int storey) {
+  for (Item& item : items) {
+    item.identity += kIdentitiesPerStorey * storey;
+    item.number += kNumbersPerStorey * storey;
+  }
 }
 
 void furnishRoom(Furnisher& f, std::size_t index, bool patients) {
@@ -39,18 +51,19 @@ void furnishRoom(Furnisher& f, std::size_t index, bool patients) {
 }  // namespace
 
 std::vector<Item> furnish(const HospitalPlan& plan, std::uint32_t seed, bool patients) {
-  constexpr std::uint64_t kWards = 999;
-  Furnisher furnisher(plan, numbersFor(seed, kWards));
+  Furnisher furnisher(plan, numbersForWards(seed));
   for (std::size_t i = 0; i < plan.doors.size(); ++i) {
-    furnisher.useNumbers(numbersFor(seed, 1000 + i));
+    furnisher.useNumbers(numbersOf(plan, seed, 21000 + i));
     addDoor(furnisher, plan.doors[i]);
   }
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
-    furnisher.useNumbers(numbersFor(seed, plan.rooms[i].kind == RoomKind::Ward ? kWards : i));
+    furnisher.useNumbers(numbersForRoom(plan, seed, i));
     furnishRoom(furnisher, i, patients);
     if (plan.rooms[i].kind != RoomKind::Corridor) addWindow(furnisher, i);
   }
-  return furnisher.take();
+  std::vector<Item> items = furnisher.take();
+  number(items, plan.storey);
+  return items;
 }
 
 std::vector<std::string> signTexts(const HospitalPlan& plan) {

@@ -11,6 +11,8 @@ struct HospitalOptions {
   int day = 0;  ///< 0 to kLastDay.
   RouteChoice route;
   Density people = Density::Normal;  ///< Nobody at all where SceneOptions::people says so.
+  int storeys = 1;                   ///< 1 to kMostStoreys.
+  int storey = 0;                    ///< Which one is driven on, from below.
 };
 
 }  // namespace wardslam::synth

@@ -33,6 +33,12 @@ struct Measures {
 class Planner {
  public:
   explicit Planner(std::uint32_t seed) : rng_((static_cast<std::uint64_t>(seed) << 8U) + 11) {}
+  /// Of a storey above the ground floor, which is planned already.
+  Planner(const Planner& ground, std::uint32_t seed, int storey)
+      : rng_((static_cast<std::uint64_t>(storey) << 40U) + (static_cast<std::uint64_t>(seed) << 8U) + 11),
+        storey_(storey),
+        m_(ground.m_),
+        middle_m_(ground.middle_m_) {}
 
   [[nodiscard]] HospitalPlan plan();
 
@@ -64,6 +70,7 @@ class Planner {
   [[nodiscard]] double northFrom_m() const { return coreTo_m() + m_.corridor_m; }
 
   cv::RNG rng_;
+  int storey_ = 0;
   Measures m_{};
   double middle_m_ = 0.0;  ///< Where the middle crossing begins.
   HospitalPlan plan_;
@@ -76,7 +83,6 @@ void Planner::takeMeasures() {
   m_.core_m = rng_.uniform(4.8, 5.6);
   m_.corridor_m = rng_.uniform(3.45, 3.7);
   middle_m_ = m_.length_m / 2 + rng_.uniform(-3.5, 1.5);
-  plan_.size_m = {m_.length_m, northFrom_m() + m_.north_m};
 }
 
 std::size_t Planner::addRoom(RoomKind kind, const std::string& name, const Eigen::AlignedBox2d& area_m,
@@ -233,12 +239,13 @@ bool Planner::bareIsPossible() const {
 }
 
 void Planner::numberTheWards() {
-  int ward = 0;
+  int ward = 10 * storey_;
   for (Room& room : plan_.rooms) {
     if (room.kind == RoomKind::Ward) room.name += " " + std::to_string(++ward);
     room.id = room.name;
     std::transform(room.id.begin(), room.id.end(), room.id.begin(),
                    [](char c) { return c == ' ' ? '-' : static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+    if (storey_ > 0) room.id = "s" + std::to_string(storey_) + "-" + room.id;
   }
 }
 
@@ -266,7 +273,9 @@ void Planner::setStates() {
 HospitalPlan Planner::plan() {
   do {
     plan_ = HospitalPlan();
-    takeMeasures();
+    plan_.storey = storey_;
+    if (storey_ == 0) takeMeasures();
+    plan_.size_m = {m_.length_m, northFrom_m() + m_.north_m};
     addCorridors();
     addSouth();
   } while (!bareIsPossible());  // its other side must be rooms, too
@@ -302,6 +311,15 @@ std::size_t HospitalPlan::roomAt(const Vector2d& p_m) const {
   return static_cast<std::size_t>(room - rooms.begin());
 }
 
-HospitalPlan planHospital(std::uint32_t seed) { return Planner(seed).plan(); }
+HospitalPlan planHospital(std::uint32_t seed, int storey) {
+  Planner ground(seed);
+  HospitalPlan plan = ground.plan();
+  return storey == 0 ? plan : Planner(ground, seed, storey).plan();
+}
+
+cv::RNG numbersOf(const HospitalPlan& plan, std::uint32_t seed, std::uint64_t what) {
+  constexpr std::uint64_t kApart = 1000000;
+  return cv::RNG((static_cast<std::uint64_t>(seed) << 32U) + kApart * static_cast<std::uint64_t>(plan.storey) + what);
+}
 
 }  // namespace wardslam::synth

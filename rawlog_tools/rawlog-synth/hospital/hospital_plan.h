@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct WallStretch {
 };
 
 struct HospitalPlan {
+  int storey = 0;
   std::vector<Room> rooms;
   std::vector<Door> doors;
   WallStretch bare;  ///< Of a corridor: nothing but white walls on both sides.
@@ -66,7 +68,14 @@ struct HospitalPlan {
 constexpr float kInnerWall_m = 0.15F;  ///< Thickness.
 constexpr double kBareLength_m = 8.0;
 
-/// Another seed, another plan: sizes, order of rooms, which way round, which doors are open.
-[[nodiscard]] HospitalPlan planHospital(std::uint32_t seed);
+/// From one storey's floor to the next one's.
+constexpr float kStoreyHeight_m = 3.6F;
+
+/// Another seed, another plan: sizes, order of rooms, which way round, which doors are open. Storeys of a hospital have
+/// the same outline, corridors and size of wards; all else is each one's own. At its own height z = 0.
+[[nodiscard]] HospitalPlan planHospital(std::uint32_t seed, int storey = 0);
+
+/// Numbers for something of this storey alone; `what` says for what.
+[[nodiscard]] cv::RNG numbersOf(const HospitalPlan& plan, std::uint32_t seed, std::uint64_t what);
 
 }  // namespace wardslam::synth

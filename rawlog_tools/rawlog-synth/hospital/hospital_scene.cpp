@@ -4,15 +4,19 @@
 #include <map>
 #include <utility>
 
+#include "floor_truth.h"
 #include "furniture.h"
 #include "hospital/hospital_building.h"
 #include "hospital/hospital_furnishing.h"
 #include "hospital/hospital_furniture.h"
+#include "hospital/hospital_identities.h"
 #include "hospital/hospital_sight.h"
+#include "hospital/hospital_storeys.h"
 #include "hospital/hospital_textures.h"
 #include "hospital/hospital_truth.h"
 #include "hospital/hospital_ways.h"
 #include "life/life.h"
+#include "wardslam/core/errors.h"
 
 namespace wardslam::synth {
 namespace {
@@ -28,6 +32,9 @@ void addItem(Scene& scene, const Item& item) {
   scene.things.push_back({patient, placed(makePatient(item.variant), item.T_world_item), cell});
 }
 
+/// Far from every storey: its camera does not come by.
+const Eigen::Vector2d kNobodyDrives_m(-1000.0, -1000.0);
+
 Density densityOf(const SceneOptions& scene, const HospitalOptions& options) {
   return scene.people ? options.people : Density::None;
 }
@@ -39,10 +46,32 @@ std::uint32_t lifeSeed(const PlaceOptions& options) {
   return options.scene.seed + 7919U * day + 104729U * robot;
 }
 
+std::vector<Hospital> makeStoreys(const PlaceOptions& options) {
+  HospitalOptions one = options.hospital;
+  if (one.storey < 0 || one.storey >= one.storeys)
+    throw core::InputError("--storey " + std::to_string(one.storey) + ": there are " + std::to_string(one.storeys) +
+                           ", numbered from 0; see --storeys");
+  std::vector<Hospital> storeys;
+  for (one.storey = 0; one.storey < options.hospital.storeys; ++one.storey)
+    storeys.push_back(makeHospital(options.scene, one));
+  return storeys;
+}
+
+/// With those who live there, its floor at z = 0.
+Scene livelyStorey(const Hospital& storey, const PlaceOptions& options, double duration_s) {
+  Scene scene = buildHospital(storey, options.scene.seed);
+  Ways ways = waysOf(storey, scene);
+  if (storey.plan.storey != options.hospital.storey) ways.camera_m = [](double) { return kNobodyDrives_m; };
+  const std::uint32_t seed = lifeSeed(options) + 15485863U * static_cast<std::uint32_t>(storey.plan.storey);
+  addLife(scene, static_cast<std::uint16_t>(firstVisitorId(storey.plan.storey)), ways,
+          {densityOf(options.scene, options.hospital), seed, duration_s});
+  return scene;
+}
+
 }  // namespace
 
 Hospital makeHospital(const SceneOptions& scene, const HospitalOptions& options) {
-  HospitalPlan plan = planHospital(scene.seed);
+  HospitalPlan plan = planHospital(scene.seed, options.storey);
   const bool anybody = densityOf(scene, options) != Density::None;
   HospitalDay today = daysLater(plan, furnish(plan, scene.seed, anybody), options.day, scene.seed);
   HospitalRoute route(plan, options.route, scene.seed);
@@ -79,20 +108,29 @@ Ways waysOf(const Hospital& hospital, const Scene& scene) {
 }
 
 Setting hospitalSetting(const PlaceOptions& options, const CameraMount& mount) {
-  Hospital hospital = makeHospital(options.scene, options.hospital);
+  const std::vector<Hospital> storeys = makeStoreys(options);
+  const auto driven = static_cast<std::size_t>(options.hospital.storey);
+  const HospitalRoute& route = storeys[driven].route;
+  const float floorZ_m = floorZOf(options.hospital.storey);
   Setting setting;
-  setting.scene = buildHospital(hospital, options.scene.seed);
-  setting.duration_s = hospital.route.round_s();
-  const Ways ways = waysOf(hospital, setting.scene);
-  addLife(setting.scene, kFirstVisitorId, ways,
-          {densityOf(options.scene, options.hospital), lifeSeed(options), setting.duration_s});
-  setting.T_world_cam = [route = hospital.route, mount](double t_s) { return route.T_world_cam(t_s, mount); };
-  setting.roomAt = [plan = hospital.plan](const Eigen::Vector2d& p_m) {
-    const std::size_t room = plan.roomAt(p_m);
+  setting.duration_s = route.round_s();
+  std::vector<Scene> scenes;
+  for (const Hospital& storey : storeys) scenes.push_back(livelyStorey(storey, options, setting.duration_s));
+  setting.scene = stacked(std::move(scenes), driven);
+  setting.T_world_cam = [route, mount, floorZ_m](double t_s) -> Eigen::Isometry3d {
+    return Eigen::Translation3d(0, 0, static_cast<double>(floorZ_m)) * route.T_world_cam(t_s, mount);
+  };
+  setting.floorPlan = [floorZ_m](const Scene& scene, double until_s) { return trueFloorAt(scene, until_s, floorZ_m); };
+  if (storeys.size() > 1) setting.storeyAt = [n = storeys.size()](double z_m) { return storeyAt(z_m, n); };
+  setting.roomAt = [storeys](const Eigen::Vector3d& p_m) {
+    const HospitalPlan& plan = storeys[static_cast<std::size_t>(storeyAt(p_m.z(), storeys.size()))].plan;
+    const std::size_t room = plan.roomAt(p_m.head<2>());
     return room < plan.rooms.size() ? plan.rooms[room].id : std::string();
   };
-  setting.writeFurtherTruth = [hospital = std::move(hospital)](const std::filesystem::path& folder, double until_s) {
-    writeHospitalTruth(folder, hospital.plan, hospital.today, hospital.route, until_s);
+  setting.writeFurtherTruth = [storeys, driven](const std::filesystem::path& folder, double until_s) {
+    std::vector<DaysOfStorey> days;
+    for (const Hospital& storey : storeys) days.push_back({storey.plan, storey.today});
+    writeHospitalTruth(folder, days, driven, storeys[driven].route, until_s);
   };
   return setting;
 }

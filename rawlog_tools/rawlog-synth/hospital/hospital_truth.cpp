@@ -30,7 +30,7 @@ Json feature(Json properties, const char* type, Json coordinates) {
           {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}}};
 }
 
-Json roomFeature(const Room& room) {
+Json roomFeature(const Room& room, int storey) {
   Json ring = Json::array();
   for (const auto& corner : cornersOf(room)) ring.push_back(pointJson(corner));
   ring.push_back(ring.front());
@@ -38,28 +38,29 @@ Json roomFeature(const Room& room) {
                   {"id", room.id},
                   {"name", room.name},
                   {"kind", nameOf(room.kind)},
-                  {"storey", 0},
+                  {"storey", storey},
                   {"area_m2", millimetres(room.area_m.volume())}},
                  "Polygon", Json::array({ring}));
 }
 
 Json doorFeature(const HospitalPlan& plan, std::size_t index) {
   const Door& door = plan.doors[index];
-  return feature({{"what", "door"},
-                  {"id", "door-" + std::to_string(index + 1)},
-                  {"rooms", {plan.rooms[door.room].id, plan.rooms[door.corridor].id}},
-                  {"storey", 0},
-                  {"state", nameOf(door.state)},
-                  {"open_rad", millimetres(static_cast<double>(door.opening_rad))},
-                  {"width_m", millimetres((door.to_m - door.from_m).norm())},
-                  {"height_m", millimetres(static_cast<double>(door.height_m))}},
-                 "LineString", {pointJson(door.from_m), pointJson(door.to_m)});
+  return feature(
+      {{"what", "door"},
+       {"id", (plan.storey > 0 ? "s" + std::to_string(plan.storey) + "-door-" : "door-") + std::to_string(index + 1)},
+       {"rooms", {plan.rooms[door.room].id, plan.rooms[door.corridor].id}},
+       {"storey", plan.storey},
+       {"state", nameOf(door.state)},
+       {"open_rad", millimetres(static_cast<double>(door.opening_rad))},
+       {"width_m", millimetres((door.to_m - door.from_m).norm())},
+       {"height_m", millimetres(static_cast<double>(door.height_m))}},
+      "LineString", {pointJson(door.from_m), pointJson(door.to_m)});
 }
 
 Json bareFeature(const HospitalPlan& plan) {
   const WallStretch& bare = plan.bare;
   const double y = plan.rooms[bare.room].area_m.center().y();
-  return feature({{"what", "bare_walls"}, {"room", plan.rooms[bare.room].id}, {"storey", 0}}, "LineString",
+  return feature({{"what", "bare_walls"}, {"room", plan.rooms[bare.room].id}, {"storey", plan.storey}}, "LineString",
                  {pointJson({bare.fromX_m, y}), pointJson({bare.toX_m, y})});
 }
 
@@ -73,13 +74,24 @@ void writePlace(std::ostream& text, const HospitalPlan& plan, const std::optiona
   text << "," << plan.rooms[item->room].id << "," << p.x() << "," << p.y() << "," << std::atan2(front.y(), front.x());
 }
 
+void writeChange(std::ostream& text, const HospitalPlan& plan, const DayChange& change) {
+  const Item& item = change.before ? *change.before : *change.after;
+  text << change.day << "," << item.identity << "," << nameOf(item) << "," << classNameOf(item.kind) << ","
+       << nameOf(change.what);
+  writePlace(text, plan, change.before);
+  writePlace(text, plan, change.after);
+  text << "\n";
+}
+
 }  // namespace
 
-std::string roomsGeoJson(const HospitalPlan& plan) {
+std::string roomsGeoJson(const std::vector<const HospitalPlan*>& storeys) {
   Json features = Json::array();
-  for (const Room& room : plan.rooms) features.push_back(roomFeature(room));
-  for (std::size_t i = 0; i < plan.doors.size(); ++i) features.push_back(doorFeature(plan, i));
-  features.push_back(bareFeature(plan));
+  for (const HospitalPlan* plan : storeys) {
+    for (const Room& room : plan->rooms) features.push_back(roomFeature(room, plan->storey));
+    for (std::size_t i = 0; i < plan->doors.size(); ++i) features.push_back(doorFeature(*plan, i));
+    features.push_back(bareFeature(*plan));
+  }
   return Json({{"type", "FeatureCollection"}, {"features", features}}).dump(1) + "\n";
 }
 
@@ -98,26 +110,24 @@ std::string zonesYaml(const HospitalPlan& plan) {
   return text.str();
 }
 
-std::string daysCsv(const HospitalPlan& plan, const HospitalDay& today) {
+std::string daysCsv(const std::vector<DaysOfStorey>& storeys) {
   std::ostringstream text;
   text << "day,identity,name,class_name,what,from_room,from_x,from_y,from_yaw,to_room,to_x,to_y,to_yaw\n"
        << std::fixed << std::setprecision(3);
-  for (const DayChange& change : today.changes) {
-    const Item& item = change.before ? *change.before : *change.after;
-    text << change.day << "," << item.identity << "," << nameOf(item) << "," << classNameOf(item.kind) << ","
-         << nameOf(change.what);
-    writePlace(text, plan, change.before);
-    writePlace(text, plan, change.after);
-    text << "\n";
+  for (const DaysOfStorey& storey : storeys) {
+    for (const DayChange& change : storey.today.changes) writeChange(text, storey.plan, change);
   }
   return text.str();
 }
 
-void writeHospitalTruth(const std::filesystem::path& folder, const HospitalPlan& plan, const HospitalDay& today,
-                        const HospitalRoute& route, double until_s) {
-  core::writeFileAtomically(folder / "rooms.geojson", roomsGeoJson(plan));
+void writeHospitalTruth(const std::filesystem::path& folder, const std::vector<DaysOfStorey>& storeys,
+                        std::size_t driven, const HospitalRoute& route, double until_s) {
+  const auto& [plan, today] = storeys.at(driven);
+  std::vector<const HospitalPlan*> plans;
+  for (const DaysOfStorey& storey : storeys) plans.push_back(&storey.plan);
+  core::writeFileAtomically(folder / "rooms.geojson", roomsGeoJson(plans));
   core::writeFileAtomically(folder / "zones.yaml", zonesYaml(plan));
-  core::writeFileAtomically(folder / "days.csv", daysCsv(plan, today));
+  core::writeFileAtomically(folder / "days.csv", daysCsv(storeys));
   const auto picture = folder / "plan.png";
   if (!cv::imwrite(picture.string(), planPicture(plan, today, route, until_s)))
     throw core::InputError(picture.string() + ": could not be written; is the disk full?");
