@@ -1,47 +1,21 @@
 #include "truth.h"
 
-#include <yaml-cpp/yaml.h>
-
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
+#include <utility>
 
 #include "wardslam/core/errors.h"
-#include "wardslam/evaluation/absolute_trajectory_error.h"
+#include "wardslam/core/stamp_association.h"
+#include "wardslam/exchange/ros_map.h"
 #include "wardslam/exchange/tum_trajectory.h"
 
 namespace wardslam::nav_demo {
 namespace fs = std::filesystem;
 namespace {
-
-/// A floor plan as map_server has it, with the three values that exportRosMap() writes.
-mapping::FloorPlan readRosMap(const fs::path& file) {
-  if (!fs::exists(file))
-    throw core::InputError(file.string() + ": is missing; rawlog-synth writes it beside the rawlog (make it anew)");
-  mapping::FloorPlan plan;
-  fs::path image;
-  try {
-    const YAML::Node yaml = YAML::LoadFile(file.string());
-    plan.resolution_m = yaml["resolution"].as<double>();
-    plan.origin_m = {yaml["origin"][0].as<double>(), yaml["origin"][1].as<double>()};
-    image = file.parent_path() / yaml["image"].as<std::string>();
-  } catch (const YAML::Exception& error) {
-    throw core::InputError(file.string() + ": is no map for map_server: " + error.what());
-  }
-  const cv::Mat grey = cv::imread(image.string(), cv::IMREAD_GRAYSCALE);
-  if (grey.empty()) throw core::InputError(image.string() + ": cannot be read as an image");
-  constexpr int kFree = 254;
-  constexpr int kOccupied = 0;
-  plan.cells = cv::Mat(grey.size(), CV_8UC1, cv::Scalar(mapping::FloorPlan::kUnknown));
-  plan.cells.setTo(mapping::FloorPlan::kFree, grey == kFree);
-  plan.cells.setTo(mapping::FloorPlan::kOccupied, grey == kOccupied);
-  cv::flip(plan.cells, plan.cells, 0);  // its first row is the farthest along y
-  return plan;
-}
 
 std::vector<std::string> fieldsOf(const std::string& line) {
   std::vector<std::string> fields;
@@ -73,6 +47,26 @@ std::vector<TrueThing> readThings(const fs::path& file) {
   return things;
 }
 
+/// T_world_map, by where the camera was and how it looked at each keyframe: keyframes in a row along a straight way do
+/// not tell by their places alone how the map lies about that way. Mean of rotations: the nearest to the sum of all.
+Eigen::Isometry3d alignmentOf(const core::Trajectory& map, const core::Trajectory& world) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d middle_map_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d middle_world_m = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    sum += world[i].T_map_cam.linear() * map[i].T_map_cam.linear().transpose();
+    middle_map_m += map[i].T_map_cam.translation() / static_cast<double>(map.size());
+    middle_world_m += world[i].T_map_cam.translation() / static_cast<double>(map.size());
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d U = svd.matrixU();
+  if ((U * svd.matrixV().transpose()).determinant() < 0.0) U.col(2) *= -1.0;
+  Eigen::Isometry3d T_world_map = Eigen::Isometry3d::Identity();
+  T_world_map.linear() = U * svd.matrixV().transpose();
+  T_world_map.translation() = middle_world_m - T_world_map.linear() * middle_map_m;
+  return T_world_map;
+}
+
 /// What a rigid motion in space does to the floor.
 Eigen::Isometry2d onFloor(const Eigen::Isometry3d& T) {
   return Eigen::Translation2d(T.translation().head<2>()) * Eigen::Rotation2Dd(std::atan2(T(1, 0), T(0, 0)));
@@ -85,18 +79,51 @@ core::Trajectory keyframesOf(const mapping::SemanticMap& map) {
   return trajectory;
 }
 
+std::vector<double> stampsOf(const core::Trajectory& trajectory) {
+  std::vector<double> stamps_s;
+  for (const auto& pose : trajectory) stamps_s.push_back(pose.stamp_s);
+  return stamps_s;
+}
+
+/// Keyframes and the true poses of the same times; those without one are left out.
+std::pair<core::Trajectory, core::Trajectory> pairsOf(const core::Trajectory& keyframes,
+                                                      const core::Trajectory& truth) {
+  std::pair<core::Trajectory, core::Trajectory> pairs;
+  for (const auto& [keyframe, pose] : core::associateByStamp(stampsOf(keyframes), stampsOf(truth))) {
+    pairs.first.push_back(keyframes[keyframe]);
+    pairs.second.push_back(truth[pose]);
+  }
+  return pairs;
+}
+
+double rmsDistance_m(const Eigen::Isometry3d& T_world_map, const core::Trajectory& map, const core::Trajectory& world) {
+  double sum_m2 = 0.0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    sum_m2 += (T_world_map * map[i].T_map_cam.translation() - world[i].T_map_cam.translation()).squaredNorm();
+  }
+  return std::sqrt(sum_m2 / static_cast<double>(map.size()));
+}
+
 }  // namespace
 
 Truth readTruth(const fs::path& rawlog, const mapping::SemanticMap& map) {
   const fs::path stem = rawlog.parent_path() / rawlog.stem();
   const fs::path labels = stem.string() + "_labels";
   Truth truth;
-  truth.floor = readRosMap(labels / "floor.yaml");
+  if (!fs::exists(labels / "floor.yaml")) {
+    throw core::InputError((labels / "floor.yaml").string() +
+                           ": is missing; rawlog-synth writes it beside the rawlog (make it anew)");
+  }
+  truth.floor = exchange::readRosMap(labels / "floor.yaml");
   truth.things = readThings(labels / "objects.csv");
   const auto groundTruth = exchange::readTumTrajectory(stem.string() + ".groundtruth.txt");
-  const auto alignment = evaluation::absoluteTrajectoryError(groundTruth, keyframesOf(map));
-  truth.T_world_map = onFloor(alignment.T_groundtruth_estimate);
-  truth.mapError_m = alignment.translation_m.rmse;
+  const auto [keyframes, truePoses] = pairsOf(keyframesOf(map), groundTruth);
+  if (keyframes.empty()) {
+    throw core::InputError(stem.string() + ".groundtruth.txt: has no pose at the time of any keyframe of the map");
+  }
+  const Eigen::Isometry3d T_world_map = alignmentOf(keyframes, truePoses);
+  truth.T_world_map = onFloor(T_world_map);
+  truth.mapError_m = rmsDistance_m(T_world_map, keyframes, truePoses);
   truth.source = "the scene that " + rawlog.filename().string() + " was rendered from";
   return truth;
 }

@@ -16,7 +16,7 @@ class NavDemo : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<TemporaryFolder>();
-    const auto recorded = runProgram("rawlog-synth", {"-o", path("ward.rawlog"), "--seconds", "6", "--rate", "4",
+    const auto recorded = runProgram("rawlog-synth", {"-o", path("ward.rawlog"), "--seconds", "6", "--rate", "8",
                                                       "--width", "320", "--height", "240"});
     ASSERT_EQ(recorded.exitCode, 0) << recorded.err;
     const auto mapped = runProgram("wardslam", {"run", path("ward.rawlog"), "--masks", path("ward_labels/masks"),
