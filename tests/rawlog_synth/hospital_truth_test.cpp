@@ -50,7 +50,8 @@ TEST_F(HospitalTruth, TellsStoreysApart) {
   for (const auto& feature : json["features"]) {
     const auto& properties = feature["properties"];
     ++features[properties["storey"]];
-    if (properties.contains("id")) EXPECT_TRUE(ids.insert(properties["id"]).second) << properties["id"];
+    const bool isNew = !properties.contains("id") || ids.insert(properties["id"]).second;
+    EXPECT_TRUE(isNew) << properties;
   }
   EXPECT_EQ(features[0], plan.rooms.size() + plan.doors.size() + 1);
   EXPECT_EQ(features[1], above.rooms.size() + above.doors.size() + 1);
