@@ -37,18 +37,28 @@ void expectWithin(double share, double value, double reference, const char* what
 
 constexpr double kShare = 0.03;
 
+std::size_t viewsWorkedIn(const Run& run) { return run.summary().at("stages").at("mapping.add").at("calls"); }
+
 /// A recording waits for the mapper, on a busy machine, too.
 TEST(DefaultRun, MakesTheMapOfADeterministicOne) {
   const Content wanted = contentOf(floorRun());
   const Content found = contentOf(floorRunWithThreads());
-  expectWithin(kShare, static_cast<double>(found.keyframes), static_cast<double>(wanted.keyframes), "keyframes");
-  expectWithin(kShare, static_cast<double>(found.fans), static_cast<double>(wanted.fans), "free fans");
+  EXPECT_EQ(found.fans, found.keyframes);
+  EXPECT_EQ(viewsWorkedIn(floorRunWithThreads()), viewsWorkedIn(floorRun()));
   expectWithin(kShare, static_cast<double>(found.objects), static_cast<double>(wanted.objects), "things");
-  expectWithin(kShare, found.free_m2, wanted.free_m2, "free floor");
   for (const auto& [event, count] : floorRunWithThreads().summary().at("events").items()) {
     EXPECT_NE(event.rfind("mapping.", 0), 0U) << event << ": " << count;
     EXPECT_NE(event.rfind("storage.", 0), 0U) << event << ": " << count;
   }
+}
+
+/// Not so yet: the plan is cut by heights over one level for the whole map, and threads leave to chance how much that
+/// is off far away; and where the graph lags behind, it gives up fewer keyframes.
+TEST(DefaultRun, HasTheFloorOfADeterministicOne) {
+  const Content wanted = contentOf(floorRun());
+  const Content found = contentOf(floorRunWithThreads());
+  expectWithin(kShare, static_cast<double>(found.keyframes), static_cast<double>(wanted.keyframes), "keyframes");
+  expectWithin(kShare, found.free_m2, wanted.free_m2, "free floor");
 }
 
 /// A camera does not wait; views of keyframes are worked in, and what is left out is counted.
@@ -57,8 +67,8 @@ TEST(DefaultRun, InRealTimeLeavesOutNoKeyframeAndCountsTheRest) {
   const auto summary = floorRunInRealTime().summary();
   EXPECT_EQ(found.fans, found.keyframes);
   const std::size_t leftOut = summary.at("events").value("mapping.view_left_out", std::size_t{0});
-  const std::size_t views = floorRun().summary().at("stages").at("mapping.add").at("calls");
-  const std::size_t workedIn = summary.at("stages").at("mapping.add").at("calls");
+  const std::size_t views = viewsWorkedIn(floorRun());
+  const std::size_t workedIn = viewsWorkedIn(floorRunInRealTime());
   std::printf("%zu views worked in, %zu left out; %zu in a run that waits\n", workedIn, leftOut, views);
   expectWithin(kShare, static_cast<double>(workedIn + leftOut), static_cast<double>(views), "views");
 }
