@@ -187,9 +187,10 @@ class Execution {
     finishMap();
     isInterrupted_ = interruption_.requested();
     writeFolder();
-    tell();
+    if (live_) std::cerr << "wardslam: " << live_->closingLine(statistics_.frames()) << "\n";
     failure_.rethrow();
     requireThatAllWasSound();
+    tellWhatIsNotInTheMap();
     return !isInterrupted_;
   }
 
@@ -247,9 +248,8 @@ class Execution {
     });
   }
 
-  void tell() {
+  void tellWhatIsNotInTheMap() const {
     tellOfPieces(slam_, run_.out, statistics_.frames());
-    if (live_) std::cerr << "wardslam: " << live_->closingLine(statistics_.frames()) << "\n";
     tellWhatWasLeftOut(slam_.leftOut());
   }
 

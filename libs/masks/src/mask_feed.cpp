@@ -164,7 +164,8 @@ std::unique_ptr<MaskFeed> makeMaskFeed(const MaskFeedOptions& options, std::shar
   if (options.mode == MaskFeedOptions::Mode::Propagate) {
     return std::make_unique<PropagatingFeed>(options, std::move(segmenter));
   }
-  if (options.keepsIds || options.tracker.bridge_s > 0) return std::make_unique<BridgingFeed>(options, std::move(segmenter));
+  if (options.keepsIds || options.tracker.bridge_s > 0)
+    return std::make_unique<BridgingFeed>(options, std::move(segmenter));
   return std::make_unique<PlainFeed>(std::move(segmenter));
 }
 

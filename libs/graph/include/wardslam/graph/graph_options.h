@@ -73,8 +73,8 @@ struct LoopVerificationOptions {
 };
 
 struct LoopConfirmationOptions {
-  int keyframes = 3;
-  int keyframes_to_join = 4;
+  int keyframes = 2;
+  int keyframes_to_join = 1;
   int max_gap = 4;
   double max_disagreement_m = 0.15;
   double max_disagreement_rad = 0.05;
