@@ -43,6 +43,8 @@ class IdentityTest : public testing::Test {
     odometry::Keyframe keyframe;
     keyframe.id = ++keyframe_;
     keyframe.T_map_cam = T_map_cam;
+    keyframe.T_previous_cam = T_map_last_.inverse() * T_map_cam;
+    T_map_last_ = T_map_cam;
     keyframe.stamp_s = stamp_s_;
     builder_.addKeyframe(keyframe);
     things.push_back({box({x_m + 3.05, 0, 1}, {0.1, 6, 4}), 0, 0, {200, 190, 180}});
@@ -65,6 +67,7 @@ class IdentityTest : public testing::Test {
 
   MapBuilder builder_{options(), setting()};
   odometry::KeyframeId keyframe_ = 0;
+  Eigen::Isometry3d T_map_last_ = Eigen::Isometry3d::Identity();
   double stamp_s_ = 1000.0;
 };
 

@@ -165,6 +165,7 @@ TEST_F(OdometryTest, TellsWhenAPoseIsNotInTheMap) {
   EXPECT_EQ(anew.piece, 1U);
   EXPECT_FALSE(anew.isInMap) << "nobody knows how far the camera went meanwhile";
   MapUpdate update;
+  update.submap = 1;
   update.joined = SubmapJoin{1, 0};
   odometry_.apply(update);
   const auto joined = trackImage(41);

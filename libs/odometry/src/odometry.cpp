@@ -237,9 +237,9 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
 }
 
 Eigen::Isometry3d Odometry::Tracker::apply(const MapUpdate& update) {
+  pieces_.apply(update);
   if (update.submap != submap_) return Eigen::Isometry3d::Identity();
   map_.apply(update, frame_);
-  pieces_.apply(update);
   for (PointId& id : lastSeen_) {
     if (const auto fused = update.fusedPoints.find(id); fused != update.fusedPoints.end()) id = fused->second;
   }
