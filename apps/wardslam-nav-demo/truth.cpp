@@ -10,6 +10,7 @@
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/stamp_association.h"
+#include "wardslam/evaluation/floor_plan_evaluation.h"
 #include "wardslam/exchange/ros_map.h"
 #include "wardslam/exchange/tum_trajectory.h"
 
@@ -67,11 +68,6 @@ Eigen::Isometry3d alignmentOf(const core::Trajectory& map, const core::Trajector
   return T_world_map;
 }
 
-/// What a rigid motion in space does to the floor.
-Eigen::Isometry2d onFloor(const Eigen::Isometry3d& T) {
-  return Eigen::Translation2d(T.translation().head<2>()) * Eigen::Rotation2Dd(std::atan2(T(1, 0), T(0, 0)));
-}
-
 core::Trajectory keyframesOf(const mapping::SemanticMap& map) {
   core::Trajectory trajectory;
   for (const auto& [id, keyframe] : map.keyframes) trajectory.push_back({keyframe.stamp_s, keyframe.T_map_cam});
@@ -122,7 +118,7 @@ Truth readTruth(const fs::path& rawlog, const mapping::SemanticMap& map) {
     throw core::InputError(stem.string() + ".groundtruth.txt: has no pose at the time of any keyframe of the map");
   }
   const Eigen::Isometry3d T_world_map = alignmentOf(keyframes, truePoses);
-  truth.T_world_map = onFloor(T_world_map);
+  truth.T_world_map = evaluation::onFloor(T_world_map);
   truth.mapError_m = rmsDistance_m(T_world_map, keyframes, truePoses);
   truth.source = "the scene that " + rawlog.filename().string() + " was rendered from";
   return truth;

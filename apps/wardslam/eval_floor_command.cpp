@@ -1,7 +1,6 @@
 #include "eval_floor_command.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -27,14 +26,6 @@ struct EvalFloorArguments {
   bool json = false;
 };
 
-/// The alignment as seen from above.
-Eigen::Isometry2d onFloor(const Eigen::Isometry3d& T) {
-  const Eigen::Vector3d forward = T.linear().col(0);
-  Eigen::Isometry2d onFloor(Eigen::Rotation2Dd(std::atan2(forward.y(), forward.x())));
-  onFloor.translation() = T.translation().head<2>();
-  return onFloor;
-}
-
 evaluation::FloorPlanEvaluation evaluate(const EvalFloorArguments& arguments) {
   const auto groundTruth = exchange::readTumTrajectory(arguments.groundTruth);
   const auto alignment =
@@ -44,7 +35,7 @@ evaluation::FloorPlanEvaluation evaluate(const EvalFloorArguments& arguments) {
   const auto truth = evaluation::reachableFloor(exchange::readRosMap(arguments.truth), way_m);
   const auto found = readStoredMap(arguments.map, storage::CloudPart::Include).floorPlan;
   if (found.cells.empty()) throw core::InputError(arguments.map.string() + ": the map has no floor plan");
-  return evaluation::evaluateFloorPlan(truth, found, onFloor(alignment.T_groundtruth_estimate));
+  return evaluation::evaluateFloorPlan(truth, found, evaluation::onFloor(alignment.T_groundtruth_estimate));
 }
 
 /// NaN becomes null.

@@ -70,6 +70,14 @@ TEST(FloorPlanEvaluation, HasNoFiguresWithoutFreeFloor) {
   EXPECT_TRUE(std::isnan(result.knownShare()));
 }
 
+TEST(OnFloor, KeepsHeadingAndPlace) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.rotate(Eigen::AngleAxisd(std::acos(0.0), Eigen::Vector3d::UnitZ()));
+  T.translation() = Eigen::Vector3d(5, 6, 7);
+  const Eigen::Vector2d p_m = onFloor(T) * Eigen::Vector2d(1, 2);
+  EXPECT_LT((p_m - Eigen::Vector2d(3, 7)).norm(), 1e-12) << "(1, 2) turned by a quarter is (-2, 1)";
+}
+
 TEST(ReachableFloor, IsWhatIsConnectedWithOneOfThePlaces) {
   const FloorPlan left = reachableFloor(twoRooms(), {{1.5, 2.5}, {3.1, 2.5}, {99.0, 0.0}});
   EXPECT_EQ(cv::countNonZero(left.cells == FloorPlan::kFree), 20 * 30);

@@ -1,5 +1,6 @@
 #include "wardslam/evaluation/floor_plan_evaluation.h"
 
+#include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
@@ -36,6 +37,10 @@ void forEachFreeCell(const FloorPlan& plan, const Take& take) {
 }
 
 }  // namespace
+
+Eigen::Isometry2d onFloor(const Eigen::Isometry3d& T) {
+  return Eigen::Translation2d(T.translation().head<2>()) * Eigen::Rotation2Dd(std::atan2(T(1, 0), T(0, 0)));
+}
 
 double FloorPlanEvaluation::intersectionOverUnion() const {
   return ratio(free_m2, free_m2 + occupied_m2 + wronglyFree_m2);

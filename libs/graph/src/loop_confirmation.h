@@ -23,7 +23,7 @@ class LoopConfirmation {
   [[nodiscard]] std::vector<KeyframeId> expected(const KeyframeGraph& graph, KeyframeId newest) const;
 
   /// Takes in what the newest keyframe was seen to be. Returns the loops that say the same, the newest first, once
-  /// they are enough, more where they join pieces; they are forgotten here.
+  /// they are as many as the options ask for; they are forgotten here.
   std::vector<Loop> confirm(const KeyframeGraph& graph, KeyframeId newest, const std::vector<Loop>& seen);
 
   void apply(const odometry::RemovedKeyframe& removed);

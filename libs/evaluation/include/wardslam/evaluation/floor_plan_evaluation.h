@@ -7,6 +7,9 @@
 
 namespace wardslam::evaluation {
 
+/// What a rigid motion in space does to the floor, seen from above.
+[[nodiscard]] Eigen::Isometry2d onFloor(const Eigen::Isometry3d& T);
+
 /// How well a floor plan tells where the floor is free. Areas in m², of truly free floor except where said otherwise.
 struct FloorPlanEvaluation {
   double free_m2 = 0.0;         ///< Called free.
