@@ -29,25 +29,39 @@ cv::Mat markedPlaces(const core::Frame& frame) {
   return places;
 }
 
-/// Those of the moving regions that what is marked already does not explain: around a mover with a mask, regions grown
-/// from points only blur its outline.
-cv::Mat unexplained(const cv::Mat& moving, const cv::Mat& marked) {
-  constexpr int kBlur_px = 16;            // how far a region reaches beyond the mover it was grown from
-  constexpr double kMostExplained = 0.3;  // of a region's area
-  if (marked.empty() || cv::countNonZero(marked) == 0) return moving;
-  cv::Mat near;
-  cv::dilate(marked, near, cv::getStructuringElement(cv::MORPH_RECT, {2 * kBlur_px + 1, 2 * kBlur_px + 1}));
+constexpr int kBlur_px = 16;  // how far a region reaches beyond the mover it was grown from
+
+cv::Mat square(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}); }
+
+/// Regions of which all but a small part is near to what is marked.
+cv::Mat explainedRegions(const cv::Mat& moving, const cv::Mat& nearMarked) {
+  constexpr double kMostExplained = 0.3;  // of the area of a region that stands for itself
   cv::Mat regions;
   cv::Mat statistics;
   cv::Mat centres;
   const int count = cv::connectedComponentsWithStats(moving, regions, statistics, centres);
-  cv::Mat kept(moving.size(), CV_8UC1, cv::Scalar(0));
+  cv::Mat explained(moving.size(), CV_8UC1, cv::Scalar(0));
   for (int i = 1; i < count; ++i) {
     const cv::Mat region = regions == i;
-    const double explained = cv::countNonZero(region & (near != 0));
-    if (explained <= kMostExplained * statistics.at<int>(i, cv::CC_STAT_AREA)) kept |= region;
+    const double area_px = cv::countNonZero(region & nearMarked);
+    if (area_px > kMostExplained * statistics.at<int>(i, cv::CC_STAT_AREA)) explained |= region;
   }
-  return kept;
+  return explained;
+}
+
+/// The moving regions without what marked pixels explain: around a mover with a mask, regions grown from points only
+/// blur its outline. Of a region that goes on beyond that, as of somebody with a mask who pushes a thing without one,
+/// what goes on stays, up to the rim of the mask.
+cv::Mat unexplained(const cv::Mat& moving, const cv::Mat& marked) {
+  if (marked.empty() || cv::countNonZero(marked) == 0) return moving;
+  cv::Mat nearMarked;
+  cv::dilate(marked, nearMarked, square(2 * kBlur_px + 1));
+  nearMarked = nearMarked != 0;
+  const cv::Mat explained = explainedRegions(moving, nearMarked);
+  cv::Mat beyond = explained & ~nearMarked;
+  cv::morphologyEx(beyond, beyond, cv::MORPH_OPEN, square(kBlur_px + 1));  // a blur that reaches farther is thin
+  cv::dilate(beyond, beyond, square(2 * kBlur_px + 1));
+  return (moving & ~explained) | (explained & beyond & (marked == 0));
 }
 
 }  // namespace
