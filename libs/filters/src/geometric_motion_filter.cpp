@@ -29,39 +29,14 @@ cv::Mat markedPlaces(const core::Frame& frame) {
   return places;
 }
 
-constexpr int kBlur_px = 16;  // how far a region reaches beyond the mover it was grown from
-
-cv::Mat square(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}); }
-
-/// Regions of which all but a small part is near to what is marked.
-cv::Mat explainedRegions(const cv::Mat& moving, const cv::Mat& nearMarked) {
-  constexpr double kMostExplained = 0.3;  // of the area of a region that stands for itself
-  cv::Mat regions;
-  cv::Mat statistics;
-  cv::Mat centres;
-  const int count = cv::connectedComponentsWithStats(moving, regions, statistics, centres);
-  cv::Mat explained(moving.size(), CV_8UC1, cv::Scalar(0));
-  for (int i = 1; i < count; ++i) {
-    const cv::Mat region = regions == i;
-    const double area_px = cv::countNonZero(region & nearMarked);
-    if (area_px > kMostExplained * statistics.at<int>(i, cv::CC_STAT_AREA)) explained |= region;
-  }
+/// Where motion is that earlier filters have marked: around a mover with a mask, points and surfaces only blur its
+/// outline.
+cv::Mat explainedMotion(const core::Frame& frame) {
+  constexpr int kBlur_px = 16;  // how far that reaches
+  const cv::Mat marked = core::dynamicPixels(frame);
+  cv::Mat explained(frame.gray.size(), CV_8UC1, cv::Scalar(0));
+  if (!marked.empty()) cv::dilate(marked, explained, cv::Mat::ones(2 * kBlur_px + 1, 2 * kBlur_px + 1, CV_8UC1));
   return explained;
-}
-
-/// The moving regions without what marked pixels explain: around a mover with a mask, regions grown from points only
-/// blur its outline. Of a region that goes on beyond that, as of somebody with a mask who pushes a thing without one,
-/// what goes on stays, up to the rim of the mask.
-cv::Mat unexplained(const cv::Mat& moving, const cv::Mat& marked) {
-  if (marked.empty() || cv::countNonZero(marked) == 0) return moving;
-  cv::Mat nearMarked;
-  cv::dilate(marked, nearMarked, square(2 * kBlur_px + 1));
-  nearMarked = nearMarked != 0;
-  const cv::Mat explained = explainedRegions(moving, nearMarked);
-  cv::Mat beyond = explained & ~nearMarked;
-  cv::morphologyEx(beyond, beyond, cv::MORPH_OPEN, square(kBlur_px + 1));  // a blur that reaches farther is thin
-  cv::dilate(beyond, beyond, square(2 * kBlur_px + 1));
-  return (moving & ~explained) | (explained & beyond & (marked == 0));
 }
 
 }  // namespace
@@ -81,9 +56,9 @@ void GeometricMotionFilter::apply(core::Frame& frame) {
   following_.get();
   motion_->judge(frame, markedPlaces(frame));
   if (motion_->isAtLoss()) ++frame.events["filters.motion_unknown"];
-  const cv::Mat found = change::movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
-  motion_->distrust(found);
-  const cv::Mat moving = unexplained(found, core::dynamicPixels(frame));
+  const cv::Mat explained = explainedMotion(frame);
+  const cv::Mat moving = change::movingRegions(*motion_, frame.camera, explained, options_.regions);
+  motion_->distrust(moving | explained);
 
   auto& keypoints = frame.features.keypoints;
   const auto stays = std::count_if(keypoints.begin(), keypoints.end(),
