@@ -108,6 +108,14 @@ void tellWhatWasLeftOut(const core::EventCounts& leftOut) {
   if (!text.empty()) tellAtOnce("not everything is in the map: " + text);
 }
 
+/// The depth network saw nothing there, and nobody else says who moves by himself.
+void tellWhatHadNoDepth(const pipeline::RunStatistics& statistics) {
+  const auto found = statistics.events().find("segmentation.no_depth");
+  if (found == statistics.events().end()) return;
+  tellAtOnce(std::to_string(found->second) + " of " + std::to_string(statistics.frames()) +
+             " images had too little depth for the network: in these, geometry alone told what moves");
+}
+
 /// The run is written in full by now; what was wrong with its input still makes it a failure.
 void requireSoundInput(const sources::ObservationSource& source, const pipeline::RunStatistics& statistics,
                        const InputTrouble& trouble, const std::filesystem::path& input) {
@@ -251,6 +259,7 @@ class Execution {
   void tellWhatIsNotInTheMap() const {
     tellOfPieces(slam_, run_.out, statistics_.frames());
     tellWhatWasLeftOut(slam_.leftOut());
+    tellWhatHadNoDepth(statistics_);
   }
 
   void requireThatAllWasSound() {
