@@ -12,7 +12,10 @@ using test::camera;
 using test::kFrameTime_s;
 using test::Scene;
 
-cv::Mat regionsOf(const Eigen::Vector3d& cameraVelocity, const Eigen::Vector3d& personVelocity, cv::Mat& person) {
+const cv::Mat kNothing = cv::Mat::zeros(test::kHeight, test::kWidth, CV_8UC1);
+
+cv::Mat regionsOf(const Eigen::Vector3d& cameraVelocity, const Eigen::Vector3d& personVelocity, cv::Mat& person,
+                  const cv::Mat& explained = kNothing) {
   Scene scene;
   scene.add(test::person());
   SceneMotion motion{SceneMotionOptions{}};
@@ -24,7 +27,7 @@ cv::Mat regionsOf(const Eigen::Vector3d& cameraVelocity, const Eigen::Vector3d& 
     position += cameraVelocity * kFrameTime_s;
     scene.board(0).p_map_m += personVelocity * kFrameTime_s;
   }
-  return movingRegions(motion, camera(), {test::kWidth, test::kHeight}, {});
+  return movingRegions(motion, camera(), explained, {});
 }
 
 double share(const cv::Mat& regions, const cv::Mat& of) {
@@ -45,6 +48,17 @@ TEST(MovingRegions, CoverHimFromAMovingCameraToo) {
   EXPECT_LT(share(regions, ~person), 0.05);
 }
 
+TEST(MovingRegions, StartFromWhatIsNotExplained) {
+  cv::Mat person;
+  EXPECT_EQ(cv::countNonZero(regionsOf({0, 0, 0}, {0.5, 0, 0}, person, kNothing == 0)), 0);
+
+  cv::Mat lowerHalf = kNothing.clone();
+  lowerHalf.rowRange(test::kHeight / 2, test::kHeight).setTo(255);
+  const cv::Mat regions = regionsOf({0, 0, 0}, {0.5, 0, 0}, person, lowerHalf);
+  EXPECT_GT(share(regions, person & ~lowerHalf), 0.9);
+  EXPECT_LT(share(regions, ~person), 0.05);
+}
+
 TEST(MovingRegions, AreEmptyWhenNothingMoves) {
   cv::Mat person;
   EXPECT_LT(cv::countNonZero(regionsOf({0.3, 0, 0.2}, {0, 0, 0}, person)), 640 * 480 / 200);
@@ -53,7 +67,7 @@ TEST(MovingRegions, AreEmptyWhenNothingMoves) {
 TEST(MovingRegions, AreEmptyAtTheFirstImage) {
   SceneMotion motion{SceneMotionOptions{}};
   motion.update(Scene().frame(0, {0, 0, 0}));
-  EXPECT_EQ(cv::countNonZero(movingRegions(motion, camera(), {test::kWidth, test::kHeight}, {})), 0);
+  EXPECT_EQ(cv::countNonZero(movingRegions(motion, camera(), kNothing, {})), 0);
 }
 
 }  // namespace

@@ -130,6 +130,26 @@ TEST_F(GeometricMotionFilterTest, LeavesTheOutlineOfWhoHasAMaskToTheMask) {
   EXPECT_EQ(cv::norm(core::dynamicPixels(frame), person, cv::NORM_INF), 0.0);
 }
 
+TEST_F(GeometricMotionFilterTest, FindsWhatAMaskedPersonMovesAlong) {
+  configure("{}");
+  constexpr int kMaskFrom_px = 240;  // above that row the mask lacks what moves
+  prepare_ = [](core::Frame& frame) {
+    cv::Mat masked = frame.depth_m < 2.0;
+    masked.rowRange(0, kMaskFrom_px).setTo(0);
+    core::addDynamic(frame, masked);
+    for (auto& keypoint : frame.features.keypoints) {
+      if (keypoint.depth_m < 2.0F && keypoint.raw_px.y >= kMaskFrom_px) keypoint.motion = Motion::Dynamic;
+    }
+  };
+  const core::Frame frame = walk();
+  const cv::Rect above(0, 0, change::test::kWidth, kMaskFrom_px);
+  const cv::Mat without = frame.depth_m(above) < 2.0;
+  EXPECT_GT(cv::countNonZero(core::dynamicPixels(frame)(above) & without), 0.8 * cv::countNonZero(without));
+  const auto [onPerson, beside] = markedShares(frame);
+  EXPECT_GT(onPerson, 0.9);
+  EXPECT_LT(beside, 0.05);
+}
+
 TEST_F(GeometricMotionFilterTest, DoesNotBelieveThatEverythingMoves) {
   configure("{min_kept: 0.9}");  // the person alone covers more than a tenth
   const core::Frame frame = walk();

@@ -190,6 +190,29 @@ TEST_F(RecordedMasksTest, SaysThatMasksAreOfAnotherSizeWhenNoneCouldBeUsed) {
               ThrowsMessage<core::InputError>(AllOf(HasSubstr(kFirst), HasSubstr("32x24"), HasSubstr("64x48"))));
 }
 
+TEST_F(RecordedMasksTest, LeavesOutAndCountsWhatHasNoName) {
+  cv::Mat mask = personAndChair();
+  mask(kChair).setTo(200);
+  writeMask(kFirst, mask);
+  const auto result = open().segment(image_, kFirst_s);
+  EXPECT_THAT(result.events, UnorderedElementsAre(Pair("segmentation.class_without_name", 1U)));
+  ASSERT_EQ(result.segmentation.instances.size(), 1U);
+  EXPECT_EQ(result.segmentation.instances[0].classId, 1);
+  EXPECT_EQ(cv::countNonZero(result.segmentation.classIds), kPerson.area());
+
+  folder_.write("classes.txt", "200 drip_bag\n");
+  EXPECT_THAT(open().segment(image_, kFirst_s).events, IsEmpty());
+}
+
+TEST_F(RecordedMasksTest, SaysThatPicturesOfTwoLevelsAreNoMasks) {
+  const cv::Mat image = personAndChair() != 0;
+  ASSERT_TRUE(cv::imwrite((masks() / kFirst).string(), image, {cv::IMWRITE_PNG_BILEVEL, 1}));
+  RecordedMasks masks = open();
+  EXPECT_TRUE(masks.segment(image_, kFirst_s).segmentation.empty());
+  EXPECT_THAT([&] { masks.finish(); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr(kFirst), HasSubstr("255"), HasSubstr("classes.txt"))));
+}
+
 TEST_F(RecordedMasksTest, RefusesFoldersThatCannotHoldMasks) {
   EXPECT_THAT([&] { (void)open(); }, ThrowsMessage<core::InputError>(HasSubstr(masks().string())));
   writeMask(kFirst, cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(1)));

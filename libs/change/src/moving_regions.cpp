@@ -113,15 +113,18 @@ Neighbourhood around(const PlacedTrack& track, const std::vector<PlacedTrack>& a
   return result;
 }
 
+/// Where growth starts, of what moves and of what rests; of what moves, nothing in explained cells.
 std::vector<Seed> seedsOf(const std::vector<PlacedTrack>& tracks, const cv::Mat& appeared, const cv::Mat& same,
-                          const MovingRegionsOptions& options) {
+                          const cv::Mat& explained, const MovingRegionsOptions& options) {
   constexpr int kWitnesses = 3;
   const double mayBeInterior_m = options.reach_m / 2;  // a slow thing's inside looks as it did before
+  const auto isExplained = [&explained](cv::Point cell) { return explained.at<std::uint8_t>(cell) != 0; };
   std::vector<Seed> seeds;
   for (const PlacedTrack& track : tracks) {
     const auto [logOdds, moving] = around(track, tracks, options.strict_log_odds);
     const bool hasCome = appeared.at<std::uint8_t>(track.cell) != 0;
-    if (logOdds > options.strict_log_odds && track.logOdds > 0 && (hasCome || moving >= kWitnesses)) {
+    const bool isBorneOut = hasCome || moving >= kWitnesses;
+    if (logOdds > options.strict_log_odds && track.logOdds > 0 && isBorneOut && !isExplained(track.cell)) {
       seeds.push_back({track.cell, true});
     }
     if (logOdds < kRests && !hasCome) seeds.push_back({track.cell, false});
@@ -129,7 +132,7 @@ std::vector<Seed> seedsOf(const std::vector<PlacedTrack>& tracks, const cv::Mat&
   for (int row = 0; row < appeared.rows; ++row) {
     for (int column = 0; column < appeared.cols; ++column) {
       const cv::Point cell(column, row);
-      if (appeared.at<std::uint8_t>(cell) != 0) seeds.push_back({cell, true});
+      if (appeared.at<std::uint8_t>(cell) != 0 && !isExplained(cell)) seeds.push_back({cell, true});
       if (same.at<std::uint8_t>(cell) != 0) seeds.push_back({cell, false, mayBeInterior_m});
     }
   }
@@ -147,19 +150,24 @@ void giveBackHoles(cv::Mat& moves, const SceneMotion& motion, const cv::Mat& dep
 
 }  // namespace
 
-cv::Mat movingRegions(const SceneMotion& motion, const core::CameraModel& camera, const cv::Size& imageSize,
+cv::Mat movingRegions(const SceneMotion& motion, const core::CameraModel& camera, const cv::Mat& explained,
                       const MovingRegionsOptions& options) {
   const cv::Mat depth_m = cellDepth(motion.grid().depth_m());
   const double cellWidth = kCell_px / camera.fx_px;
   const cv::Mat appeared = appearedCells(motion, depth_m, cellWidth, options.min_area_m2);
   const cv::Mat same = cellsThatAre(Seen::Same, motion.space(), depth_m.size());
+  cv::Mat explainedCells;
+  cv::resize(explained, explainedCells, depth_m.size(), 0, 0, cv::INTER_NEAREST);
   const auto tracks = placedTracks(motion, camera, depth_m);
-  cv::Mat moves = growRegions(depth_m, cellWidth, seedsOf(tracks, appeared, same, options), options.reach_m);
+  const auto seeds = seedsOf(tracks, appeared, same, explainedCells, options);
+  cv::Mat moves = growRegions(depth_m, cellWidth, seeds, options.reach_m);
   giveBackHoles(moves, motion, depth_m);
   cv::Mat regions;
-  cv::resize(moves, regions, imageSize, 0, 0, cv::INTER_NEAREST);
+  cv::resize(moves, regions, explained.size(), 0, 0, cv::INTER_NEAREST);
   for (const Track& track : motion.tracks()) {
-    if (track.logOdds > options.loose_log_odds) cv::circle(regions, track.raw_px, kCell_px / 2, 255, cv::FILLED);
+    const bool isExplained = explainedCells.at<std::uint8_t>(cellOf(track.raw_px, depth_m.size())) != 0;
+    if (track.logOdds <= options.loose_log_odds || isExplained) continue;
+    cv::circle(regions, track.raw_px, kCell_px / 2, 255, cv::FILLED);
   }
   return regions;
 }

@@ -29,25 +29,14 @@ cv::Mat markedPlaces(const core::Frame& frame) {
   return places;
 }
 
-/// Those of the moving regions that what is marked already does not explain: around a mover with a mask, regions grown
-/// from points only blur its outline.
-cv::Mat unexplained(const cv::Mat& moving, const cv::Mat& marked) {
-  constexpr int kBlur_px = 16;            // how far a region reaches beyond the mover it was grown from
-  constexpr double kMostExplained = 0.3;  // of a region's area
-  if (marked.empty() || cv::countNonZero(marked) == 0) return moving;
-  cv::Mat near;
-  cv::dilate(marked, near, cv::getStructuringElement(cv::MORPH_RECT, {2 * kBlur_px + 1, 2 * kBlur_px + 1}));
-  cv::Mat regions;
-  cv::Mat statistics;
-  cv::Mat centres;
-  const int count = cv::connectedComponentsWithStats(moving, regions, statistics, centres);
-  cv::Mat kept(moving.size(), CV_8UC1, cv::Scalar(0));
-  for (int i = 1; i < count; ++i) {
-    const cv::Mat region = regions == i;
-    const double explained = cv::countNonZero(region & (near != 0));
-    if (explained <= kMostExplained * statistics.at<int>(i, cv::CC_STAT_AREA)) kept |= region;
-  }
-  return kept;
+/// Where motion is that earlier filters have marked: around a mover with a mask, points and surfaces only blur its
+/// outline.
+cv::Mat explainedMotion(const core::Frame& frame) {
+  constexpr int kBlur_px = 16;  // how far that reaches
+  const cv::Mat marked = core::dynamicPixels(frame);
+  cv::Mat explained(frame.gray.size(), CV_8UC1, cv::Scalar(0));
+  if (!marked.empty()) cv::dilate(marked, explained, cv::Mat::ones(2 * kBlur_px + 1, 2 * kBlur_px + 1, CV_8UC1));
+  return explained;
 }
 
 }  // namespace
@@ -67,9 +56,9 @@ void GeometricMotionFilter::apply(core::Frame& frame) {
   following_.get();
   motion_->judge(frame, markedPlaces(frame));
   if (motion_->isAtLoss()) ++frame.events["filters.motion_unknown"];
-  const cv::Mat found = change::movingRegions(*motion_, frame.camera, frame.gray.size(), options_.regions);
-  motion_->distrust(found);
-  const cv::Mat moving = unexplained(found, core::dynamicPixels(frame));
+  const cv::Mat explained = explainedMotion(frame);
+  const cv::Mat moving = change::movingRegions(*motion_, frame.camera, explained, options_.regions);
+  motion_->distrust(moving | explained);
 
   auto& keypoints = frame.features.keypoints;
   const auto stays = std::count_if(keypoints.begin(), keypoints.end(),

@@ -9,6 +9,7 @@
 #include "pose_graph.h"
 #include "redundancy.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::graph {
 namespace {
@@ -286,7 +287,7 @@ std::optional<odometry::SubmapJoin> Mapper::joinSubmaps(const Loop& loop) {
   const KeyframeNode& newer = graph_.keyframes().at(loop.newer);
   if (older.submap == newer.submap) return std::nullopt;
   const odometry::SubmapJoin join = directionOf(older.submap, newer.submap);
-  Eigen::Isometry3d T_into_from = older.T_map_cam * loop.T_older_newer * newer.T_map_cam.inverse();
+  Eigen::Isometry3d T_into_from = core::rigid(older.T_map_cam * loop.T_older_newer * newer.T_map_cam.inverse());
   if (join.into == newer.submap) T_into_from = T_into_from.inverse();
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
   for (const auto& [id, node] : graph_.keyframes()) {

@@ -54,6 +54,28 @@ std::string notClassIds(const fs::path& file) {
   return file.string() + ": not an 8-bit single-channel PNG; save class ids as grey values, 0 where there is none";
 }
 
+std::string onlyNameless(const fs::path& file, core::ClassId id) {
+  return file.string() + ": holds grey value " + std::to_string(id) +
+         ", and no class has that number; save class ids " + "as grey values (1 is person), or name it in classes.txt";
+}
+
+// Takes out what has no name. The first such id; 0 when there is none.
+core::ClassId removeNameless(cv::Mat& classIds, const core::LabelSpace& labels) {
+  cv::Mat table(1, 256, CV_8UC1);
+  for (int c = 0; c < table.cols; ++c) {
+    const auto id = static_cast<core::ClassId>(c);
+    table.at<core::ClassId>(0, c) = labels.name(id).empty() ? core::ClassId{0} : id;
+  }
+  cv::Mat named;
+  cv::LUT(classIds, table, named);
+  cv::Mat nameless;
+  cv::findNonZero(named != classIds, nameless);
+  const core::ClassId first =
+      nameless.empty() ? core::ClassId{0} : classIds.at<core::ClassId>(nameless.at<cv::Point>(0));
+  classIds = named;
+  return first;
+}
+
 }  // namespace
 
 RecordedMasks::RecordedMasks(const RecordedMasksOptions& options, const fs::path& classesFile)
@@ -83,9 +105,14 @@ Segmenter::Result RecordedMasks::segment(const SegmenterInput& input) {
     return miss(kUnreadable, file->string() + ": is " + sizeText(classIds) + ", but the image it belongs to is " +
                                  sizeText(input.color_bgr) + "; give masks made from images of that size");
   }
-  usedAny_ = true;
   classIds = labels_.apply(classIds);
   Result result;
+  if (const core::ClassId nameless = removeNameless(classIds, labels_.labels())) {
+    constexpr const char* kNameless = "segmentation.class_without_name";
+    if (cv::countNonZero(classIds) == 0) return miss(kNameless, onlyNameless(*file, nameless));
+    ++result.events[kNameless];
+  }
+  usedAny_ = true;
   result.segmentation.classIds = classIds;
   result.segmentation.instanceIds = readInstanceIds(*file, classIds, result.events);
   result.segmentation.instances = listInstances(classIds, result.segmentation.instanceIds);

@@ -25,8 +25,9 @@ struct MovingRegionsOptions {
 
 /// The regions of the newest image that move, of the evidence gathered: followed points, and surfaces where an earlier
 /// image saw none, each borne out by its neighbours and grown along its surface until resting points are nearer.
-/// CV_8UC1 of `imageSize`, 255 = moves.
+/// `explained`: CV_8UC1 of the image's size, not 0 where motion is known of already and tells of nothing else; regions
+/// may grow into it, and do not start there. CV_8UC1 of that size, 255 = moves.
 [[nodiscard]] cv::Mat movingRegions(const SceneMotion& motion, const core::CameraModel& camera,
-                                    const cv::Size& imageSize, const MovingRegionsOptions& options);
+                                    const cv::Mat& explained, const MovingRegionsOptions& options);
 
 }  // namespace wardslam::change

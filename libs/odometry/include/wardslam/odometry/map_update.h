@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "wardslam/core/rigid_transform.h"
 #include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/map_point.h"
 
@@ -53,7 +54,8 @@ struct MapUpdate {
 /// views underway. `T_map_newest`: where its newest keyframe was believed to be until now.
 [[nodiscard]] inline Eigen::Isometry3d correctionOf(const MapUpdate& update, const Eigen::Isometry3d& T_map_newest) {
   const auto moved = update.T_map_cam.find(update.newestKeyframe);
-  return moved == update.T_map_cam.end() ? Eigen::Isometry3d::Identity() : moved->second * T_map_newest.inverse();
+  if (moved == update.T_map_cam.end()) return Eigen::Isometry3d::Identity();
+  return core::rigid(moved->second * T_map_newest.inverse());
 }
 
 }  // namespace wardslam::odometry

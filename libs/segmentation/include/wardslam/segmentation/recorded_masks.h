@@ -24,7 +24,9 @@ struct RecordedMasksOptions {
 /// may give the grey values other meanings.
 ///
 /// Events: "segmentation.mask_missing" and "segmentation.mask_unreadable" (also: not 8-bit single-channel, other size
-/// than the image) with an empty result; "segmentation.instances_unreadable" where regions had to replace instances.
+/// than the image) with an empty result; "segmentation.instances_unreadable" where regions had to replace instances;
+/// "segmentation.class_without_name" where grey values that name no class were taken for 0, with an empty result where
+/// the mask holds no others (pictures of two grey levels, say).
 class RecordedMasks : public Segmenter {
  public:
   /// So many images from the start without a usable mask, and the folder is taken to belong to another recording.

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace wardslam::core {
+
+/// The rigid transform nearest to `T`, whose rotation may have lost its scale by rounding.
+///
+/// Eigen inverts an isometry by transposing its rotation: of one that is too large by a part in 10¹⁶ the inverse is so
+/// too, and where products of such are put into the next product the error grows without bound.
+[[nodiscard]] inline Eigen::Isometry3d rigid(const Eigen::Isometry3d& T) {
+  Eigen::Isometry3d nearest = T;
+  nearest.linear() = Eigen::Affine3d(T.matrix()).rotation();  // by polar decomposition
+  return nearest;
+}
+
+}  // namespace wardslam::core
