@@ -194,21 +194,21 @@ TEST_F(RecordedMasksTest, LeavesOutAndCountsWhatHasNoName) {
   cv::Mat mask = personAndChair();
   mask(kChair).setTo(200);
   writeMask(kFirst, mask);
-  const auto result = open().segment(image_, kFirst_s);
+  const auto result = open().segment({image_, kFirst_s});
   EXPECT_THAT(result.events, UnorderedElementsAre(Pair("segmentation.class_without_name", 1U)));
   ASSERT_EQ(result.segmentation.instances.size(), 1U);
   EXPECT_EQ(result.segmentation.instances[0].classId, 1);
   EXPECT_EQ(cv::countNonZero(result.segmentation.classIds), kPerson.area());
 
   folder_.write("classes.txt", "200 drip_bag\n");
-  EXPECT_THAT(open().segment(image_, kFirst_s).events, IsEmpty());
+  EXPECT_THAT(open().segment({image_, kFirst_s}).events, IsEmpty());
 }
 
 TEST_F(RecordedMasksTest, SaysThatPicturesOfTwoLevelsAreNoMasks) {
   const cv::Mat image = personAndChair() != 0;
   ASSERT_TRUE(cv::imwrite((masks() / kFirst).string(), image, {cv::IMWRITE_PNG_BILEVEL, 1}));
   RecordedMasks masks = open();
-  EXPECT_TRUE(masks.segment(image_, kFirst_s).segmentation.empty());
+  EXPECT_TRUE(masks.segment({image_, kFirst_s}).segmentation.empty());
   EXPECT_THAT([&] { masks.finish(); },
               ThrowsMessage<core::InputError>(AllOf(HasSubstr(kFirst), HasSubstr("255"), HasSubstr("classes.txt"))));
 }
