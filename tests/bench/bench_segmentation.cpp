@@ -146,7 +146,7 @@ void decodeDepth(benchmark::State& state) {
   const DepthPicture picture = depthPicture(depthOfARoom());
   for (auto _ : state) {
     const PixelClasses seen = decodeDepthScores(scores, picture.depth_m, 1, {});
-    benchmark::DoNotOptimize(labelByDepth(seen.indices, picture.depth_m, picture.fx_px, 25).data);
+    benchmark::DoNotOptimize(labelByDepth(seen.indices, picture.depth_m, {picture.fx_px, 25, 1}).data);
   }
 }
 BENCHMARK(decodeDepth)->Unit(benchmark::kMillisecond);

@@ -36,6 +36,7 @@ namespace fs = std::filesystem;
 
 constexpr core::ClassId kPerson = 1;
 constexpr int kMinPerson_px = 300;
+constexpr double kSureOfPerson = 0.3;  ///< From which --also adds to the truth.
 
 struct Arguments {
   fs::path recording;
@@ -47,10 +48,11 @@ struct Arguments {
   fs::path pictures;
 };
 
-std::unique_ptr<segmentation::Segmenter> open(const std::string& network) {
+std::unique_ptr<segmentation::Segmenter> open(const std::string& network, double confidence = 0.15) {
   if (network == "depth") return std::make_unique<segmentation::DepthSegmenter>(segmentation::DepthOptions{});
   segmentation::YoloOptions options;
   options.model = network;
+  options.decoder.confidence = confidence;
   return std::make_unique<segmentation::YoloSegmenter>(options);
 }
 
@@ -114,7 +116,7 @@ cv::Mat draw(const cv::Mat& color_bgr, const cv::Mat& truth, const cv::Mat& seen
 void measure(const Arguments& arguments) {
   const auto source = sources::openSource(arguments.recording, arguments.source);
   const auto labelled = openTruth(arguments.recording / "masks");
-  const auto also = arguments.also.empty() ? nullptr : open(arguments.also);
+  const auto also = arguments.also.empty() ? nullptr : open(arguments.also, kSureOfPerson);
   const masks::ContourRefiner refiner({}, masks::ContourRefiner::ClassSet().set(kPerson));
   std::vector<Tally> tallies;
   for (const auto& network : arguments.networks) {

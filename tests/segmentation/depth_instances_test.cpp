@@ -12,8 +12,7 @@ namespace {
 
 constexpr core::ClassId kPerson = 1;
 constexpr core::ClassId kBed = 60;
-constexpr double kFocalLength_px = 260.0;
-constexpr int kMinArea_px = 25;
+constexpr DepthLabelling kOptions{260.0, 25, kPerson};
 
 /// A wall at 4 m, and things before it.
 class DepthInstances : public ::testing::Test {
@@ -23,7 +22,7 @@ class DepthInstances : public ::testing::Test {
     depth_m_(box).setTo(depth_m);
   }
   int label() {
-    ids_ = labelByDepth(classIds_, depth_m_, kFocalLength_px, kMinArea_px);
+    ids_ = labelByDepth(classIds_, depth_m_, kOptions);
     double most = 0.0;
     cv::minMaxLoc(ids_, nullptr, &most);
     return static_cast<int>(most);
@@ -41,6 +40,14 @@ TEST_F(DepthInstances, AreSplitWherePeopleTouchAtDifferentDepths) {
   EXPECT_EQ(label(), 2);
   EXPECT_NE(at(29, 30), at(30, 30));
   EXPECT_EQ(at(11, 30), at(29, 30));
+}
+
+TEST_F(DepthInstances, ABedsFrameBehindItsMattressIsNoOtherBed) {
+  put({10, 10, 20, 40}, kBed, 2.0F);
+  put({30, 10, 20, 40}, kBed, 2.6F);
+  EXPECT_EQ(label(), 1);
+  put({30, 10, 20, 40}, kBed, 3.0F);
+  EXPECT_EQ(label(), 2);
 }
 
 TEST_F(DepthInstances, AreOneWhereDepthDoesNotTell) {
@@ -78,7 +85,7 @@ TEST_F(DepthInstances, FarApartBehindSomethingWideTheyAreTwo) {
 
 TEST_F(DepthInstances, AtAnotherDepthBehindAnArmTheyAreTwo) {
   put({5, 20, 30, 20}, kBed, 2.0F);
-  put({43, 20, 30, 20}, kBed, 2.8F);
+  put({43, 20, 30, 20}, kBed, 3.0F);
   put({35, 0, 8, 60}, kPerson, 1.2F);
   EXPECT_EQ(label(), 3);
   EXPECT_NE(at(10, 30), at(70, 30));
@@ -108,7 +115,7 @@ TEST_F(DepthInstances, ScrapsAreNone) {
 TEST_F(DepthInstances, ReadsPartsOfLargerImages) {
   put({10, 10, 20, 40}, kPerson, 2.0F);
   const cv::Rect part(5, 5, 40, 50);
-  EXPECT_EQ(cv::countNonZero(labelByDepth(classIds_(part), depth_m_(part), kFocalLength_px, kMinArea_px)), 20 * 40);
+  EXPECT_EQ(cv::countNonZero(labelByDepth(classIds_(part), depth_m_(part), kOptions)), 20 * 40);
 }
 
 }  // namespace

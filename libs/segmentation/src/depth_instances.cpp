@@ -15,10 +15,11 @@
 namespace wardslam::segmentation {
 namespace {
 
-constexpr float kStep_m = 0.25F;        ///< Between what is two things; and more farther away,
+constexpr float kPersonStep_m = 0.25F;  ///< Between what is two people,
+constexpr float kThingStep_m = 0.7F;    ///< or two things, which have frames and feet; and more farther away,
 constexpr float kStepPerMetre = 0.03F;  ///< where depth is coarse.
 constexpr float kInFront_m = 0.05F;     ///< What hides something is nearer by more than noise.
-constexpr float kWidestGap_m = 0.5F;    ///< A trunk or an arm fits into it.
+constexpr double kWidestGap_m = 0.5;    ///< A trunk or an arm fits into it.
 constexpr int kLinesAcross = 3;         ///< Rows and columns that must say so before parts are joined.
 
 using Pixel = std::int32_t;  ///< Index in an image; of a continuous one.
@@ -48,12 +49,11 @@ class Groups {
 
 class Labelling {
  public:
-  Labelling(const cv::Mat& classIds, const cv::Mat& depth_m, double focalLength_px, int minArea_px)
+  Labelling(const cv::Mat& classIds, const cv::Mat& depth_m, const DepthLabelling& options)
       : size_(classIds.size()),
         classes_(classIds.ptr<core::ClassId>()),
         depth_m_(depth_m.ptr<float>()),
-        focalLength_px_(static_cast<float>(focalLength_px)),
-        minArea_px_(minArea_px),
+        options_(options),
         groups_(size_.area()),
         owner_(static_cast<std::size_t>(size_.area()), kNobody) {}
 
@@ -74,7 +74,8 @@ class Labelling {
   static std::size_t index(Pixel p) { return static_cast<std::size_t>(p); }
   [[nodiscard]] bool isMeasured(Pixel p) const { return depth_m_[p] > 0.0F; }
   [[nodiscard]] bool isLevel(Pixel a, Pixel b) const {
-    return std::abs(depth_m_[a] - depth_m_[b]) < kStep_m + kStepPerMetre * std::min(depth_m_[a], depth_m_[b]);
+    const float step_m = classes_[a] == options_.person ? kPersonStep_m : kThingStep_m;
+    return std::abs(depth_m_[a] - depth_m_[b]) < step_m + kStepPerMetre * std::min(depth_m_[a], depth_m_[b]);
   }
 
   /// Pixels of one class side by side, where both are eligible and fit together.
@@ -124,7 +125,7 @@ class Labelling {
   /// Whether one thing may go on behind what lies between these pixels.
   [[nodiscard]] bool isHidden(Pixel a, Pixel b, int stride) const {
     const float nearest_m = std::min(depth_m_[a], depth_m_[b]);
-    if (static_cast<float>((b - a) / stride) * nearest_m > kWidestGap_m * focalLength_px_) return false;
+    if ((b - a) / stride * static_cast<double>(nearest_m) > kWidestGap_m * options_.focalLength_px) return false;
     for (Pixel p = a + stride; p < b; p += stride) {
       const bool isNearer = isMeasured(p) && depth_m_[p] < nearest_m - kInFront_m;
       const bool isShadow = !isMeasured(p) && classes_[p] == classes_[a];
@@ -141,7 +142,7 @@ class Labelling {
     }
     for (Pixel p = 0; p < size_.area(); ++p) {
       const Pixel group = groups_.find(p);
-      if (areas_px[index(group)] >= minArea_px_ && classes_[p] != 0 && isEligible(p)) owner_[index(p)] = group;
+      if (areas_px[index(group)] >= options_.minArea_px && classes_[p] != 0 && isEligible(p)) owner_[index(p)] = group;
     }
   }
 
@@ -186,8 +187,7 @@ class Labelling {
   cv::Size size_;
   const core::ClassId* classes_;
   const float* depth_m_;
-  float focalLength_px_;
-  int minArea_px_;
+  DepthLabelling options_;
   Groups groups_;
   std::vector<Pixel> owner_;  ///< The first pixel of the thing each pixel belongs to.
   std::map<std::pair<Pixel, Pixel>, int> across_;
@@ -195,10 +195,10 @@ class Labelling {
 
 }  // namespace
 
-cv::Mat labelByDepth(const cv::Mat& classIds, const cv::Mat& depth_m, double focalLength_px, int minArea_px) {
+cv::Mat labelByDepth(const cv::Mat& classIds, const cv::Mat& depth_m, const DepthLabelling& options) {
   const cv::Mat classes = classIds.isContinuous() ? classIds : classIds.clone();
   const cv::Mat depths_m = depth_m.isContinuous() ? depth_m : depth_m.clone();
-  return Labelling(classes, depths_m, focalLength_px, minArea_px).label();
+  return Labelling(classes, depths_m, options).label();
 }
 
 }  // namespace wardslam::segmentation

@@ -119,7 +119,8 @@ core::Segmentation DepthSegmenter::see(const SegmenterInput& input) {
   const cv::Mat classIds = labels_.apply(seen.indices);
   const double shrinkage = letterbox.scaleX() * letterbox.scaleY();
   const int minArea_px = std::max(1, static_cast<int>(options_.min_region_px * shrinkage));
-  const cv::Mat instanceIds = labelByDepth(classIds, picture.depth_m, picture.fx_px, minArea_px);
+  const core::ClassId person = labels_.classOf(person_);
+  const cv::Mat instanceIds = labelByDepth(classIds, picture.depth_m, {picture.fx_px, minArea_px, person});
 
   core::Segmentation segmentation;
   segmentation.classIds = toImage(classIds, letterbox);
