@@ -122,8 +122,7 @@ run_ward() { # run_ward on|off [more options]
   local filter=$1
   shift
   say "Tracking with the filter ${filter} (results in ${DEMO}/${filter}/)"
-  "$BIN/wardslam" run "$DEMO/ward.rawlog" --masks "$DEMO/ward_labels/masks" --filter "$filter" \
-    --out "$DEMO/$filter" --deterministic "$@"
+  "$BIN/wardslam" run "$DEMO/ward.rawlog" --filter "$filter" --out "$DEMO/$filter" --deterministic "$@"
   "$BIN/wardslam" eval "$DEMO/ward.groundtruth.txt" "$DEMO/$filter/trajectory.txt" --json >"$DEMO/$filter/evaluation.json"
 }
 

@@ -8,7 +8,28 @@
 namespace wardslam::apps {
 namespace {
 
+constexpr const char* kSemanticFilter = "wardslam::filters::SemanticDynamicFilter";
 constexpr const char* kGeometricFilter = "wardslam::filters::GeometricMotionFilter";
+
+using Segmenter = segmentation::SegmentationOptions::Type;
+
+/// Where masks are to come from, as far as the command line says.
+void chooseSegmenter(const FilterArguments& arguments, pipeline::SegmentationSection& options) {
+  if (!arguments.masks.empty()) {
+    options.type = Segmenter::RecordedMasks;
+    options.recorded_masks.folder = std::filesystem::absolute(arguments.masks).string();
+  }
+  if (!arguments.model.empty()) {
+    options.type = Segmenter::Yolo;
+    options.yolo.model = std::filesystem::absolute(arguments.model).string();
+  }
+  if (arguments.noNetwork) options.type = Segmenter::None;
+}
+
+/// Nobody said anything: neither a configuration nor the command line.
+bool isLeftOpen(const FilterArguments& arguments) {
+  return arguments.config.empty() && arguments.masks.empty() && arguments.model.empty() && !arguments.noNetwork;
+}
 
 }  // namespace
 
@@ -16,7 +37,14 @@ void addFilterArguments(CLI::App& command, FilterArguments& arguments) {
   command.add_option("--config", arguments.config, "configuration (YAML); `wardslam config` prints the defaults");
   auto* masks = command.add_option("--masks", arguments.masks,
                                    "folder of recorded masks, one PNG of class ids per colour image, named by stamp");
-  command.add_option("--model", arguments.model, "YOLO segmentation network (v5 or v8 layout, ONNX)")->excludes(masks);
+  auto* model = command.add_option("--model", arguments.model, "YOLO segmentation network (v5 or v8 layout, ONNX)")
+                    ->excludes(masks);
+  command
+      .add_flag("--no-network", arguments.noNetwork,
+                "tell what moves by geometry alone; else, without masks or a model, the network that comes with the "
+                "program finds people and furniture in the depth image")
+      ->excludes(masks)
+      ->excludes(model);
   command
       .add_option("--mode", arguments.mode,
                   "tracking waits for the masks of each frame, or takes the newest, carried to the frame")
@@ -24,21 +52,14 @@ void addFilterArguments(CLI::App& command, FilterArguments& arguments) {
 }
 
 pipeline::SlamOptions effectiveOptions(const FilterArguments& arguments, const std::string& program) {
-  using Segmenter = segmentation::SegmentationOptions::Type;
   auto options = arguments.config.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(arguments.config);
-  if (!arguments.masks.empty()) {
-    options.segmentation.type = Segmenter::RecordedMasks;
-    options.segmentation.recorded_masks.folder = std::filesystem::absolute(arguments.masks).string();
-  }
-  if (!arguments.model.empty()) {
-    options.segmentation.type = Segmenter::Yolo;
-    options.segmentation.yolo.model = std::filesystem::absolute(arguments.model).string();
-  }
+  chooseSegmenter(arguments, options.segmentation);
   options.deterministic = options.deterministic || arguments.deterministic;
   const bool hasMasks = options.segmentation.type != Segmenter::None;
   if (arguments.filter == "on" && !hasMasks) {
     throw UsageError(
-        "--filter on needs masks: give --masks DIR, --model FILE.onnx or a configuration with a segmenter");
+        "--filter on needs masks: give --masks DIR, --model FILE.onnx or a configuration with a segmenter, or leave "
+        "--no-network away");
   }
   if (arguments.filter == "off") {
     options.segmentation.type = Segmenter::None;
@@ -46,12 +67,13 @@ pipeline::SlamOptions effectiveOptions(const FilterArguments& arguments, const s
   } else if (arguments.filter == "geometric") {
     options.segmentation.type = Segmenter::None;
     options.keepOnlyFilters(kGeometricFilter);
-  } else if (!hasMasks && arguments.config.empty()) {
-    std::cerr << program << ": without --masks or --model nothing is segmented: what moves is told by geometry alone\n";
-    options.keepOnlyFilters(kGeometricFilter);
+  } else if (arguments.noNetwork) {
+    options.removeFilters(kSemanticFilter);
+  } else if (isLeftOpen(arguments)) {
+    std::cerr << program << ": without --masks or --model the network that comes with the program finds people and "
+              << "furniture in the depth image (--no-network: geometry alone)\n";
   }
-  if (!arguments.mode.empty() &&
-      !options.setFilterParameter("wardslam::filters::SemanticDynamicFilter", "mode", arguments.mode)) {
+  if (!arguments.mode.empty() && !options.setFilterParameter(kSemanticFilter, "mode", arguments.mode)) {
     throw UsageError("--mode says how the SemanticDynamicFilter gets its masks, but that filter is not in use");
   }
   return options;

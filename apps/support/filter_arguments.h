@@ -16,16 +16,17 @@ struct FilterArguments {
   std::filesystem::path config;
   std::filesystem::path masks;
   std::filesystem::path model;
-  std::string filter;  ///< "on", "geometric", "off", or empty: on where there are masks, else geometric.
+  bool noNetwork = false;  ///< Nothing is segmented unless there are masks.
+  std::string filter;      ///< "on", "geometric", "off", or empty: on where something segments, else geometric.
   std::string mode;
   bool deterministic = false;
 };
 
-/// --config, --masks, --model, --mode.
+/// --config, --masks, --model, --no-network, --mode.
 void addFilterArguments(CLI::App& command, FilterArguments& arguments);
 
 /// The configuration file, overruled by the command line. Throws UsageError for arguments that contradict each other.
-/// Tells on standard error, in the name of `program`, where nothing is segmented.
+/// Where nobody said what segments, tells on standard error, in the name of `program`, what does.
 [[nodiscard]] pipeline::SlamOptions effectiveOptions(const FilterArguments& arguments, const std::string& program);
 
 }  // namespace wardslam::apps

@@ -16,7 +16,7 @@ namespace {
 /// Stands in for a network, so that filters that want one can tell their parameters.
 class SegmentsNothing : public segmentation::Segmenter {
  public:
-  Result segment(const cv::Mat& /*color_bgr*/, double /*stamp_s*/) override { return {}; }
+  Result segment(const segmentation::SegmenterInput& /*input*/) override { return {}; }
   [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labels_; }
 
  private:

@@ -128,6 +128,14 @@ void tellOfFloor(const pipeline::SlamSystem& slam) {
   }
 }
 
+/// The depth network saw nothing there, and nobody else says who moves by himself.
+void tellWhatHadNoDepth(const pipeline::RunStatistics& statistics) {
+  const auto found = statistics.events().find("segmentation.no_depth");
+  if (found == statistics.events().end()) return;
+  tellAtOnce(std::to_string(found->second) + " of " + std::to_string(statistics.frames()) +
+             " images had too little depth for the network: in these, geometry alone told what moves");
+}
+
 /// The run is written in full by now; what was wrong with its input still makes it a failure.
 void requireSoundInput(const sources::ObservationSource& source, const pipeline::RunStatistics& statistics,
                        const InputTrouble& trouble, const std::filesystem::path& input) {
@@ -272,6 +280,7 @@ class Execution {
     tellOfPieces(slam_, run_.out, statistics_.frames());
     tellWhatWasLeftOut(slam_.leftOut());
     tellOfFloor(slam_);
+    tellWhatHadNoDepth(statistics_);
   }
 
   void requireThatAllWasSound() {

@@ -117,7 +117,7 @@ BENCHMARK(annotateObservation)->Unit(benchmark::kMicrosecond);
 
 class InstantSegmenter : public segmentation::Segmenter {
  public:
-  Result segment(const cv::Mat&, double) override { return {scene_, {}}; }
+  Result segment(const segmentation::SegmenterInput&) override { return {scene_, {}}; }
   const core::LabelSpace& labelSpace() const override { return labels_; }
 
  private:

@@ -1,11 +1,15 @@
-// Budgets at 640x480: from output tensors to masks at most 5 ms for 10 instances; contour refinement at most 3 ms.
+// Budgets at 640x480: from output tensors to masks at most 5 ms for 10 instances; contour refinement at most 3 ms; from
+// depth image to the channels of the depth network at most 1 ms.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "depth_decoder.h"
+#include "depth_instances.h"
 #include "wardslam/masks/contour_refiner.h"
+#include "wardslam/segmentation/depth_channels.h"
 #include "wardslam/segmentation/mask_rcnn_decoder.h"
 #include "wardslam/segmentation/semantic_decoder.h"
 #include "wardslam/segmentation/yolo_decoder.h"
@@ -108,6 +112,44 @@ void decodeSemanticScores(benchmark::State& state) {
   }
 }
 BENCHMARK(decodeSemanticScores)->Arg(1)->Arg(8)->Unit(benchmark::kMillisecond);
+
+/// A room of 640x480 as a depth camera sees it: floor, wall, boxes, a tenth not measured.
+cv::Mat depthOfARoom() {
+  cv::Mat depth_m(kHeight, kWidth, CV_32FC1, cv::Scalar(4.0));
+  for (int y = kHeight / 2; y < kHeight; ++y) depth_m.row(y).setTo(4.0 * kHeight / 2 / y);
+  for (int i = 0; i < 5; ++i) depth_m(cv::Rect(20 + 120 * i, 100 + 30 * i, 80, 200)).setTo(1.5 + 0.3 * i);
+  cv::Mat chance(depth_m.size(), CV_32F);
+  cv::RNG(5).fill(chance, cv::RNG::UNIFORM, 0.0, 1.0);
+  depth_m.setTo(0.0, chance < 0.1);
+  return depth_m;
+}
+
+DepthPicture depthPicture(const cv::Mat& depth_m) {
+  return fitDepth(depth_m, core::CameraModel(), Letterbox(depth_m.size(), {320, 240}));
+}
+
+void makeDepthChannels(benchmark::State& state) {
+  const cv::Mat depth_m = depthOfARoom();
+  for (auto _ : state) benchmark::DoNotOptimize(depthChannels(depthPicture(depth_m)).data);
+}
+BENCHMARK(makeDepthChannels)->Unit(benchmark::kMillisecond);
+
+/// From the scores of the depth network to instances.
+void decodeDepth(benchmark::State& state) {
+  constexpr int kClasses = 18;
+  cv::Mat scores({1, kClasses, 120, 160}, CV_32F);
+  cv::RNG(6).fill(scores, cv::RNG::NORMAL, 0.0, 0.5);
+  for (int c = 0; c < kClasses; ++c) {
+    cv::Mat plane(120, 160, CV_32F, scores.ptr<float>(0, c));
+    plane(cv::Rect(c * 8, c * 5, 20, 30)) += 5.0F;
+  }
+  const DepthPicture picture = depthPicture(depthOfARoom());
+  for (auto _ : state) {
+    const PixelClasses seen = decodeDepthScores(scores, picture.depth_m, 1, {});
+    benchmark::DoNotOptimize(labelByDepth(seen.indices, picture.depth_m, {picture.fx_px, 25, 1}).data);
+  }
+}
+BENCHMARK(decodeDepth)->Unit(benchmark::kMillisecond);
 
 /// People before a wall, with a Kinect's noise and shadows, found 8 pixels too wide.
 void refineContours(benchmark::State& state) {

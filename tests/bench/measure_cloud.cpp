@@ -131,7 +131,7 @@ void measure(const fs::path& recording, const std::string& model) {
     const core::Frame frame = builder.build(observation);
     const auto pairs = evaluation::associate(truth, {{frame.stamp_s, Eigen::Isometry3d::Identity()}});
     if (pairs.empty()) continue;
-    const auto result = masks.segment(frame.color_bgr, frame.stamp_s);
+    const auto result = masks.segment(segmentation::inputOf(frame));
     if (result.segmentation.empty()) continue;
     inspection.look(frame, truth[pairs.front().groundTruth].T_map_cam, result.segmentation.classIds);
   }

@@ -139,8 +139,8 @@ Measurement measure(const Arguments& arguments) {
   for (std::size_t i = 0; const auto observation = source->next(); ++i) {
     if (i % arguments.every != 0) continue;
     core::Frame frame = builder.build(observation);
-    const cv::Mat people = truth->segment(frame.color_bgr, frame.stamp_s).segmentation.classIds == kPerson;
-    frame.segmentation = masks->segment(frame.color_bgr, frame.stamp_s).segmentation;
+    const cv::Mat people = truth->segment(segmentation::inputOf(frame)).segmentation.classIds == kPerson;
+    frame.segmentation = masks->segment(segmentation::inputOf(frame)).segmentation;
     if (people.empty() || frame.segmentation.empty()) continue;
     keepTruePeople(frame.segmentation, people);
     if (cv::countNonZero(frame.segmentation.classIds == kPerson) > 0) measurement.add(arguments, frame, people);

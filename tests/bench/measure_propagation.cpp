@@ -59,7 +59,7 @@ std::vector<Moment> read(const std::filesystem::path& folder, const sources::Sou
     const core::Frame frame = builder.build(observation);
     motion.advance(masks::shrink(frame.gray, frame.depth_m, frame.stamp_s));
     moments.push_back(
-        {motion.picture(), motion.step().clone(), masks.segment(frame.color_bgr, frame.stamp_s).segmentation});
+        {motion.picture(), motion.step().clone(), masks.segment(segmentation::inputOf(frame)).segmentation});
   }
   return moments;
 }

@@ -19,9 +19,9 @@ class FakeSegmenter : public segmentation::Segmenter {
  public:
   explicit FakeSegmenter(std::shared_ptr<Result> result) : result_(std::move(result)) {}
 
-  Result segment(const cv::Mat&, double stamp_s) override {
+  Result segment(const segmentation::SegmenterInput& input) override {
     Result result = *result_;
-    result.events["fake.stamp_" + std::to_string(static_cast<int>(stamp_s))] = 1;
+    result.events["fake.stamp_" + std::to_string(static_cast<int>(input.stamp_s))] = 1;
     return result;
   }
   const core::LabelSpace& labelSpace() const override { return labels_; }

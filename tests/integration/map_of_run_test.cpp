@@ -31,7 +31,7 @@ TEST(FinishedRun, LeavesAMapOfWhatWasSeen) {
   const RoomRecording room;
   const TemporaryFolder folder;
   const fs::path out = folder.path() / "out";
-  ASSERT_EQ(runProgram("wardslam", {"run", room.path(), "--out", out.string()}).exitCode, 0);
+  ASSERT_EQ(runProgram("wardslam", {"run", room.path(), "--no-network", "--out", out.string()}).exitCode, 0);
   const auto file = storage::MapFile::open(out / "map.wardmap");
   EXPECT_THAT(file.check(), IsEmpty());
   EXPECT_GT(file.info().keyframes, 1U);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -66,7 +67,7 @@ TEST_F(RunCommand, WritesTrajectorySummaryAndConfiguration) {
 
 TEST_F(RunCommand, TheTrajectoryIsTheTruth) {
   const test::RoomRecording room(kImages);
-  ASSERT_EQ(run(room.path(), {"--start-pose", "0 0 0 0 0 0 1"}).exitCode, 0);
+  ASSERT_EQ(run(room.path(), {"--no-network", "--start-pose", "0 0 0 0 0 0 1"}).exitCode, 0);
   const auto result = test::runProgram("wardslam", {"eval", "--json", room.groundTruth(), out / "trajectory.txt"});
   const auto evaluation = nlohmann::json::parse(result.out);
   EXPECT_LT(evaluation.at("ate").at("rmse").get<double>(), 0.003);
@@ -110,11 +111,38 @@ TEST_F(RunCommand, MasksTakeKeypointsOut) {
   EXPECT_EQ(summary().at("dynamic_keypoint_fraction"), 0.0);
 }
 
-TEST_F(RunCommand, WithoutMasksItSaysThatGeometryAloneDecides) {
-  const test::RoomRecording room(kImages);
+TEST_F(RunCommand, WithNothingSaidTheNetworkThatComesWithItSegments) {
+  const test::RoomRecording room(4);
   const auto result = run(room.path(), {});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("geometry alone"), HasSubstr("--masks")));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("--masks"), HasSubstr("--no-network"), HasSubstr("depth image")));
+  EXPECT_TRUE(summary().at("events").empty()) << summary().at("events");
+  const std::string config = test::readText(out / "config.yaml");
+  EXPECT_THAT(config, AllOf(HasSubstr("type: depth "), HasSubstr("SemanticDynamicFilter")));
+
+  const auto again = run(room.path(), {"--config", out / "config.yaml"});
+  EXPECT_EQ(again.exitCode, 0);
+  EXPECT_THAT(again.err, IsEmpty()) << "a configuration says it";
+  EXPECT_EQ(test::readText(out / "config.yaml"), config);
+}
+
+TEST_F(RunCommand, SaysWhereTheNetworkHadNoDepth) {
+  const test::RoomRecording room(4);
+  for (const int image : {1, 2}) {
+    const std::string file = room.depth(image).string();
+    ASSERT_TRUE(cv::imwrite(file, cv::Mat::zeros(cv::imread(file, cv::IMREAD_UNCHANGED).size(), CV_16UC1)));
+  }
+  const auto result = run(room.path(), {});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.err, HasSubstr("2 of 4 images had too little depth for the network"));
+  EXPECT_EQ(summary().at("events").at("segmentation.no_depth"), 2);
+}
+
+TEST_F(RunCommand, WithoutANetworkGeometryAloneDecides) {
+  const test::RoomRecording room(kImages);
+  const auto result = run(room.path(), {"--no-network"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.err, IsEmpty());
   const std::string told = test::readText(out / "config.yaml");
 
   const auto asked = run(room.path(), {"--filter", "geometric"});
@@ -258,7 +286,8 @@ TEST_F(RunCommand, ARealRecording) {
 
 TEST_F(RunCommand, RefusesWrongUsage) {
   const test::RoomRecording room(2);
-  expectError(run(room.path(), {"--filter", "on"}), 2, "--filter on needs masks");
+  expectError(run(room.path(), {"--filter", "on", "--no-network"}), 2, "--filter on needs masks");
+  expectError(run(room.path(), {"--masks", "a", "--no-network"}), 2, "--no-network");
   expectError(run(room.path(), {"--filter", "perhaps"}), 2, "perhaps");
   expectError(run(room.path(), {"--mode", "guess"}), 2, "--mode");
   expectError(run(room.path(), {"--filter", "off", "--mode", "propagate"}), 2, "--mode");

@@ -24,13 +24,14 @@ class FakeSegmenter : public segmentation::Segmenter {
  public:
   explicit FakeSegmenter(Log& log, std::shared_future<void> gate = {}) : log_(log), gate_(std::move(gate)) {}
 
-  Result segment(const cv::Mat& color_bgr, double stamp_s) override {
+  Result segment(const segmentation::SegmenterInput& input) override {
     log_.begun = true;
     if (gate_.valid()) gate_.wait();
-    log_.stamps_s.push_back(stamp_s);
-    if (stamp_s < 0.0) throw core::InputError("no such time");
+    log_.stamps_s.push_back(input.stamp_s);
+    if (input.stamp_s < 0.0) throw core::InputError("no such time");
     Result result;
-    result.segmentation.classIds = cv::Mat(color_bgr.size(), CV_8UC1, cv::Scalar(color_bgr.at<cv::Vec3b>(0, 0)[0]));
+    result.segmentation.classIds =
+        cv::Mat(input.color_bgr.size(), CV_8UC1, cv::Scalar(input.color_bgr.at<cv::Vec3b>(0, 0)[0]));
     return result;
   }
   void finish() override { ++log_.finished; }
@@ -57,7 +58,7 @@ TEST(AsyncSegmenter, GivesTheResultOfEachImage) {
   AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
   EXPECT_EQ(async.labelSpace().name(1), "person");
   for (int i = 1; i <= 50; ++i) {
-    async.submit(imageOf(i), i);
+    async.submit({imageOf(i), static_cast<double>(i)});
     EXPECT_EQ(classOf(async.wait()), i);
   }
   EXPECT_EQ(log.stamps_s.size(), 50U);
@@ -67,7 +68,7 @@ TEST(AsyncSegmenter, SubmitDoesNotWait) {
   Log log;
   std::promise<void> gate;
   AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
-  async.submit(imageOf(3), 1.0);  // would never return if it waited
+  async.submit({imageOf(3), 1.0});  // would never return if it waited
   gate.set_value();
   EXPECT_EQ(classOf(async.wait()), 3);
 }
@@ -76,9 +77,9 @@ TEST(AsyncSegmenter, KeepsOnlyTheNewestOfTheImagesThatWait) {
   Log log;
   std::promise<void> gate;
   AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
-  async.submit(imageOf(1), 1.0);
+  async.submit({imageOf(1), 1.0});
   waitUntil(log.begun);
-  for (int i = 2; i <= 9; ++i) async.submit(imageOf(i), i);
+  for (int i = 2; i <= 9; ++i) async.submit({imageOf(i), static_cast<double>(i)});
   gate.set_value();
   EXPECT_EQ(classOf(async.wait()), 9);
   EXPECT_EQ(log.stamps_s, (std::vector<double>{1.0, 9.0}));
@@ -89,7 +90,7 @@ TEST(AsyncSegmenter, SharesThePixels) {
   std::promise<void> gate;
   AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
   cv::Mat image = imageOf(1);
-  async.submit(image, 1.0);
+  async.submit({image, 1.0});
   image.setTo(8);
   gate.set_value();
   EXPECT_EQ(classOf(async.wait()), 8);
@@ -98,9 +99,9 @@ TEST(AsyncSegmenter, SharesThePixels) {
 TEST(AsyncSegmenter, RethrowsInTheCallerAndGoesOn) {
   Log log;
   AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
-  async.submit(imageOf(1), -1.0);
+  async.submit({imageOf(1), -1.0});
   EXPECT_THROW((void)async.wait(), core::InputError);
-  async.submit(imageOf(2), 2.0);
+  async.submit({imageOf(2), 2.0});
   EXPECT_EQ(classOf(async.wait()), 2);
 }
 
@@ -108,7 +109,7 @@ TEST(AsyncSegmenter, HasNoResultWithoutAnImage) {
   Log log;
   AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
   EXPECT_THROW((void)async.wait(), std::logic_error);
-  async.submit(imageOf(1), 1.0);
+  async.submit({imageOf(1), 1.0});
   (void)async.wait();
   EXPECT_THROW((void)async.wait(), std::logic_error);
 }
@@ -120,7 +121,7 @@ TEST(AsyncSegmenter, TakesWhatIsThereWithoutWaiting) {
   EXPECT_FALSE(async.isExpected());
   EXPECT_FALSE(async.tryTake()) << "nothing was submitted";
 
-  async.submit(imageOf(5), 1.0);
+  async.submit({imageOf(5), 1.0});
   EXPECT_TRUE(async.isExpected());
   EXPECT_FALSE(async.tryTake()) << "the gate is shut";
   EXPECT_TRUE(async.isExpected());
@@ -136,7 +137,7 @@ TEST(AsyncSegmenter, TakesWhatIsThereWithoutWaiting) {
 TEST(AsyncSegmenter, TakingRethrowsToo) {
   Log log;
   AsyncSegmenter async(std::make_unique<FakeSegmenter>(log));
-  async.submit(imageOf(1), -1.0);
+  async.submit({imageOf(1), -1.0});
   EXPECT_THROW(while (!async.tryTake()) std::this_thread::yield(), core::InputError);
   EXPECT_FALSE(async.isExpected());
 }
@@ -145,7 +146,7 @@ TEST(AsyncSegmenter, FinishesAfterTheLastImage) {
   Log log;
   std::promise<void> gate;
   AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
-  async.submit(imageOf(1), 1.0);
+  async.submit({imageOf(1), 1.0});
   auto opened = std::async(std::launch::async, [&] {
     EXPECT_EQ(log.finished, 0);
     gate.set_value();
@@ -161,9 +162,9 @@ TEST(AsyncSegmenter, EndsWithWorkPending) {
   std::promise<void> gate;
   {
     AsyncSegmenter async(std::make_unique<FakeSegmenter>(log, gate.get_future().share()));
-    async.submit(imageOf(1), 1.0);
+    async.submit({imageOf(1), 1.0});
     waitUntil(log.begun);
-    async.submit(imageOf(2), 2.0);
+    async.submit({imageOf(2), 2.0});
     gate.set_value();
   }
   // The image in work was done; whether the worker took the second before it was told to stop is left open.
@@ -176,7 +177,7 @@ TEST(AsyncSegmenter, EndsWithWorkPending) {
 class FindsAPerson : public segmentation::Segmenter {
  public:
   explicit FindsAPerson(core::Segmentation found) : found_(std::move(found)) {}
-  Result segment(const cv::Mat& /*color_bgr*/, double /*stamp_s*/) override { return {found_, {}}; }
+  Result segment(const segmentation::SegmenterInput& /*input*/) override { return {found_, {}}; }
   const core::LabelSpace& labelSpace() const override { return labelSpace_; }
 
  private:
@@ -198,12 +199,12 @@ TEST(AsyncSegmenter, RefinesContoursWhereItCan) {
 
   const ContourRefiner refiner({}, ContourRefiner::ClassSet().set(1));
   AsyncSegmenter async(std::make_unique<FindsAPerson>(found), refiner);
-  async.submit(color_bgr, 1.0, depth_m);
+  async.submit({color_bgr, 1.0, depth_m});
   const core::Segmentation refined = async.wait().segmentation;
   EXPECT_EQ(cv::norm(refined.classIds, refiner.refine(color_bgr, depth_m, found).classIds, cv::NORM_INF), 0.0);
   EXPECT_GT(cv::norm(refined.classIds, found.classIds, cv::NORM_INF), 0.0);
 
-  async.submit(color_bgr, 2.0);
+  async.submit({color_bgr, 2.0});
   EXPECT_EQ(cv::norm(async.wait().segmentation.classIds, found.classIds, cv::NORM_INF), 0.0) << "no depth";
 }
 

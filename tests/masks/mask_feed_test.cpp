@@ -45,8 +45,8 @@ class Oracle : public segmentation::Segmenter {
   using Answer = std::function<Result(int frame)>;
 
   explicit Oracle(Answer answer) : answer_(std::move(answer)) {}
-  Result segment(const cv::Mat&, double stamp_s) override {
-    return answer_(static_cast<int>(std::lround(stamp_s / kFrame_s)));
+  Result segment(const segmentation::SegmenterInput& input) override {
+    return answer_(static_cast<int>(std::lround(input.stamp_s / kFrame_s)));
   }
   const core::LabelSpace& labelSpace() const override { return labels_; }
 

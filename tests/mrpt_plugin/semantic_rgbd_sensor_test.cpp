@@ -23,7 +23,8 @@ class SemanticSensor : public ::testing::Test {
  protected:
   SemanticSensor() { registerAll(); }
 
-  [[nodiscard]] static CGenericSensor::Ptr load(const std::string& keys, const std::string& cameraKeys = "") {
+  [[nodiscard]] static CGenericSensor::Ptr load(const std::string& keys, const std::string& cameraKeys = "",
+                                                const std::string& filterKeys = "") {
     auto sensor = CGenericSensor::createSensorPtr("CSemanticRGBDSensor");
     const mrpt::config::CConfigFileMemory ini(
         "[CAMERA]\nprocess_rate = 90\nsensorLabel = WARD\nfilters = FILTERS\ncamera_plugin = " WARDSLAM_FAKE_SENSOR
@@ -32,7 +33,8 @@ class SemanticSensor : public ::testing::Test {
         "\n[FAKE]\nrawlog-grabber-ignore = true\ndriver = FakeSensor\nprocess_rate = 30\nsensorLabel = INNER\n"
         "width = 320\nheight = 240\n" +
         cameraKeys +
-        "\n[FILTERS]\nrawlog-grabber-ignore = true\nsources.live.silence_timeout = 0.3\nfeatures.key_points = 200\n");
+        "\n[FILTERS]\nrawlog-grabber-ignore = true\nsources.live.silence_timeout = 0.3\nfeatures.key_points = 200\n" +
+        filterKeys);
     sensor->loadConfig(ini, "CAMERA");
     return sensor;
   }
@@ -75,6 +77,18 @@ TEST_F(SemanticSensor, AddsCompanions) {
   EXPECT_EQ(companion->camera.width_px, 320);
 }
 
+TEST_F(SemanticSensor, SegmentsWithNothingSaid) {
+  for (const bool isOff : {false, true}) {
+    const auto sensor = load("camera = FAKE\ncompanion = true", "", isOff ? "segmentation.type = none\n" : "");
+    sensor->initialize();
+    const auto observations = grab(*sensor);
+    ASSERT_THAT(observations, SizeIs(2));
+    const auto companion = std::dynamic_pointer_cast<CObservationSemanticRGBD>(observations.rbegin()->second);
+    ASSERT_NE(companion, nullptr);
+    EXPECT_EQ(companion->segmentation.empty(), isOff);
+  }
+}
+
 TEST_F(SemanticSensor, LetsItsProgramGoOnWhileTheCameraIsAway) {
   const auto sensor = load("camera = FAKE", "trouble = hangs\ngood_frames = 1\n");
   sensor->initialize();
@@ -95,7 +109,8 @@ TEST_F(SemanticSensor, SaysWhatIsWrong) {
   EXPECT_EQ(complaint(load("")), mustName);
   EXPECT_EQ(complaint(load("camera = CAMERA")), mustName);
   EXPECT_EQ(complaint(load("camera = FAK")), "the configuration: has no sensor [FAK]; did you mean [FAKE]?");
-  EXPECT_THAT(complaint(load("camera = FAKE\nmode = propagate")), HasSubstr("but nothing segments"));
+  EXPECT_THAT(complaint(load("camera = FAKE\nmode = propagate", "", "segmentation.type = none\n")),
+              HasSubstr("but nothing segments"));
   EXPECT_EQ(complaint(load("camera = FAKE", "only_while = /no/such/file\n")),
             "the configuration: [FAKE]: no fake camera found");
   EXPECT_THAT(complaint(CGenericSensor::createSensorPtr("CSemanticRGBDSensor")), HasSubstr("load a configuration"));

@@ -95,6 +95,25 @@ TEST_F(SlamOptionsTest, AllFiltersButThoseOfOneClassCanBeLeftOut) {
   EXPECT_THROW(filters::FilterChain(wrong.filters, {}), core::InputError) << "still no list";
 }
 
+TEST_F(SlamOptionsTest, FiltersOfOneClassCanBeLeftOut) {
+  auto options = read("filters:\n  - {class_name: first}\n  - {class_name: second, params: {a: 1}}\n");
+  options.removeFilters("first");
+  ASSERT_EQ(options.filters.yaml().size(), 1U);
+  EXPECT_EQ(options.filters.item(0).child("params").child("a").yaml().as<int>(), 1);
+  options.removeFilters("second");
+  EXPECT_TRUE(filters::FilterChain(options.filters, {}).empty());
+}
+
+TEST_F(SlamOptionsTest, SegmentsByDefaultWhereAFilterWantsIt) {
+  const std::string geometric = "filters: [{class_name: 'wardslam::filters::GeometricMotionFilter'}]\n";
+  EXPECT_TRUE(SlamOptions{}.segments());
+  EXPECT_TRUE(read("features: {key_points: 700}\n").segments());
+  EXPECT_FALSE(read("segmentation: {type: none}\n").segments());
+  EXPECT_FALSE(read("filters: []\n").segments());
+  EXPECT_FALSE(read(geometric).segments());
+  EXPECT_TRUE(read("segmentation: {type: yolo}\n" + geometric).segments()) << "who says so gets it";
+}
+
 TEST_F(SlamOptionsTest, AnUnknownKeyNamesTheNearest) {
   EXPECT_THAT(complaint("features:\n  keypoints: 500\n"),
               HasSubstr("my.yaml:2: 'features.keypoints': unknown key; did you mean 'key_points'?"));

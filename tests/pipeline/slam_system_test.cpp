@@ -422,7 +422,14 @@ TEST_F(SlamSystemTest, RefusesFilesThatAreMissing) {
 }
 
 TEST_F(SlamSystemTest, TheDefaultFilterWantsMasks) {
-  EXPECT_THAT(test::complaintOf([] { return SlamSystem{SlamOptions{}}; }), HasSubstr("masks"));
+  SlamOptions options;
+  options.segmentation.type = segmentation::SegmentationOptions::Type::None;
+  EXPECT_THAT(test::complaintOf([&] { return SlamSystem{options}; }), HasSubstr("masks"));
+}
+
+TEST_F(SlamSystemTest, SegmentsByTheNetworkThatComesWithTheProgram) {
+  const SlamSystem slam{SlamOptions{}};
+  EXPECT_EQ(slam.labelSpace().name(104), "bedside_cabinet");
 }
 
 }  // namespace

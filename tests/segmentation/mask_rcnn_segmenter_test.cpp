@@ -42,7 +42,7 @@ class MaskRcnnSegmenterTest : public ::testing::Test {
 
 TEST_F(MaskRcnnSegmenterTest, TurnsTensorsIntoASegmentation) {
   auto segmenter = open();
-  const auto [segmentation, events] = segmenter.segment(image_, 0.0);
+  const auto [segmentation, events] = segmenter.segment({image_, 0.0});
   EXPECT_TRUE(events.empty());
   EXPECT_EQ(segmentation.classIds.size(), image_.size());
   EXPECT_EQ(cv::countNonZero(segmentation.classIds(cv::Rect(0, 0, 32, 48)) == 1), 32 * 48);
@@ -51,7 +51,7 @@ TEST_F(MaskRcnnSegmenterTest, TurnsTensorsIntoASegmentation) {
 }
 
 TEST_F(MaskRcnnSegmenterTest, FeedsTheImageInRgbFrom0To255) {
-  (void)open().segment(image_, 0.0);
+  (void)open().segment({image_, 0.0});
   EXPECT_EQ(shapeOf(state_.lastBlob), (std::vector<int>{1, 3, 48, 64}));
   EXPECT_EQ(test::blobAt(state_.lastBlob, 0, 5, 5), 30.0F);
   EXPECT_EQ(test::blobAt(state_.lastBlob, 2, 5, 5), 10.0F);
@@ -61,7 +61,7 @@ TEST_F(MaskRcnnSegmenterTest, ScalesTheImageWhereAskedTo) {
   MaskRcnnOptions options;
   options.input_width_px = 40;
   options.input_height_px = 20;
-  const auto result = open(options).segment(image_, 0.0);
+  const auto result = open(options).segment({image_, 0.0});
   EXPECT_EQ(shapeOf(state_.lastBlob), (std::vector<int>{1, 3, 20, 40}));
   EXPECT_EQ(result.segmentation.classIds.size(), image_.size());
 }
@@ -69,7 +69,7 @@ TEST_F(MaskRcnnSegmenterTest, ScalesTheImageWhereAskedTo) {
 TEST_F(MaskRcnnSegmenterTest, CountsImagesItCannotDo) {
   auto segmenter = open();
   const auto expectFailed = [&](const cv::Mat& image) {
-    const auto result = segmenter.segment(image, 0.0);
+    const auto result = segmenter.segment({image, 0.0});
     EXPECT_TRUE(result.segmentation.empty());
     EXPECT_EQ(result.events.count("segmentation.network_failed"), 1U);
   };
@@ -94,7 +94,7 @@ TEST_F(MaskRcnnSegmenterTest, TakesOtherClassesFromALabelFile) {
   EXPECT_THAT([&] { (void)open(); }, ThrowsMessage<InputError>(HasSubstr("knows 30 classes")));
   const auto labels = folder_.write("net.yaml", "names: {100: trolley}\nclasses: {0: trolley}\n");
   auto segmenter = open({}, labels.string());
-  EXPECT_EQ(segmenter.segment(image_, 0.0).segmentation.classIds.at<core::ClassId>(1, 1), 100);
+  EXPECT_EQ(segmenter.segment({image_, 0.0}).segmentation.classIds.at<core::ClassId>(1, 1), 100);
   EXPECT_EQ(segmenter.labelSpace().name(100), "trolley");
 }
 

@@ -67,7 +67,7 @@ TEST_F(RecordedMasksTest, TakesInstancesFromTheSiblingFolder) {
     ids(kChair).setTo(depth == CV_8U ? 9 : 900);
     writeInstances(kFirst, ids);
 
-    const auto result = open().segment(image_, kFirst_s);
+    const auto result = open().segment({image_, kFirst_s});
     EXPECT_THAT(result.events, IsEmpty());
     EXPECT_EQ(cv::norm(result.segmentation.classIds, personAndChair(), cv::NORM_INF), 0.0);
     EXPECT_EQ(result.segmentation.instanceIds.type(), CV_16UC1);
@@ -85,7 +85,7 @@ TEST_F(RecordedMasksTest, TakesRegionsAsInstancesWithoutThatFolder) {
   cv::Mat mask = personAndChair();
   mask(cv::Rect(0, 0, 3, 3)).setTo(1);  // too small to be a thing
   writeMask(kFirst, mask);
-  const auto result = open().segment(image_, kFirst_s);
+  const auto result = open().segment({image_, kFirst_s});
   EXPECT_THAT(result.events, IsEmpty());
   ASSERT_EQ(result.segmentation.instances.size(), 2U);
   EXPECT_EQ(result.segmentation.instances[0].box_px, kPerson);
@@ -100,7 +100,7 @@ TEST_F(RecordedMasksTest, FallsBackToRegionsWhereInstancesAreOfNoUse) {
   writeInstances(kSecond, cv::Mat(10, 10, CV_8UC1, cv::Scalar(1)));
   RecordedMasks masks = open();
   for (const double stamp_s : {kFirst_s, kSecond_s}) {
-    const auto result = masks.segment(image_, stamp_s);
+    const auto result = masks.segment({image_, stamp_s});
     EXPECT_THAT(result.events, UnorderedElementsAre(Pair("segmentation.instances_unreadable", 1U)));
     EXPECT_EQ(result.segmentation.instances.size(), 2U);
   }
@@ -125,9 +125,9 @@ TEST_F(RecordedMasksTest, NamesClassesFromTheSiblingFileOrTheOneGiven) {
 TEST_F(RecordedMasksTest, CountsAMissingMaskAndGoesOn) {
   writeMask(kFirst, personAndChair());
   RecordedMasks masks = open();
-  EXPECT_FALSE(masks.segment(image_, kFirst_s + 0.004).segmentation.empty());
+  EXPECT_FALSE(masks.segment({image_, kFirst_s + 0.004}).segmentation.empty());
   for (int i = 0; i < 100; ++i) {
-    const auto result = masks.segment(image_, kFirst_s + 1.0 + i);
+    const auto result = masks.segment({image_, kFirst_s + 1.0 + i});
     EXPECT_TRUE(result.segmentation.empty());
     EXPECT_THAT(result.events, UnorderedElementsAre(Pair("segmentation.mask_missing", 1U)));
   }
@@ -138,9 +138,11 @@ TEST_F(RecordedMasksTest, GivesUpWhenTheFirstThirtyImagesMatchNothing) {
   writeMask(kFirst, personAndChair());
   writeMask(kSecond, personAndChair());
   RecordedMasks masks = open();
-  for (int i = 0; i < 29; ++i) EXPECT_NO_THROW((void)masks.segment(image_, 1305031234.293697 + i));
+  for (int i = 0; i < 29; ++i) EXPECT_NO_THROW((void)masks.segment({image_, 1305031234.293697 + i}));
   EXPECT_THAT(
-      [&] { (void)masks.segment(image_, 1305031999.0); },
+      [&] {
+        (void)masks.segment({image_, 1305031999.0});
+      },
       ThrowsMessage<core::InputError>(AllOf(HasSubstr(this->masks().string()), HasSubstr("1305031234.293697"),
                                             HasSubstr("1700000000.000000 to 1700000000.033333"), HasSubstr("5 ms"))));
 }
@@ -148,16 +150,16 @@ TEST_F(RecordedMasksTest, GivesUpWhenTheFirstThirtyImagesMatchNothing) {
 TEST_F(RecordedMasksTest, ForgetsMissesOnceOneMatched) {
   writeMask(kFirst, personAndChair());
   RecordedMasks masks = open();
-  for (int i = 0; i < 29; ++i) (void)masks.segment(image_, 1.0 + i);
-  EXPECT_FALSE(masks.segment(image_, kFirst_s).segmentation.empty());
-  for (int i = 0; i < 29; ++i) EXPECT_NO_THROW((void)masks.segment(image_, 1.0 + i));
+  for (int i = 0; i < 29; ++i) (void)masks.segment({image_, 1.0 + i});
+  EXPECT_FALSE(masks.segment({image_, kFirst_s}).segmentation.empty());
+  for (int i = 0; i < 29; ++i) EXPECT_NO_THROW((void)masks.segment({image_, 1.0 + i}));
 }
 
 TEST_F(RecordedMasksTest, TellsAtTheEndOfAShortRunThatNothingMatched) {
   writeMask(kFirst, personAndChair());
   RecordedMasks masks = open();
   EXPECT_NO_THROW(masks.finish());  // no image, nothing to complain about
-  (void)masks.segment(image_, 12.5);
+  (void)masks.segment({image_, 12.5});
   EXPECT_THAT([&] { masks.finish(); },
               ThrowsMessage<core::InputError>(AllOf(HasSubstr("12.500000"), HasSubstr("no mask within"))));
 }
@@ -173,17 +175,17 @@ TEST_F(RecordedMasksTest, SurvivesMasksThatCannotBeUsed) {
   writeMask("1700000006.000000.png", cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(1)));
   RecordedMasks masks = open();
   for (int i = 1; i <= 6; ++i) {
-    const auto result = masks.segment(image_, kFirst_s + i);
+    const auto result = masks.segment({image_, kFirst_s + i});
     EXPECT_TRUE(result.segmentation.empty()) << i;
     EXPECT_THAT(result.events, UnorderedElementsAre(Pair("segmentation.mask_unreadable", 1U))) << i;
   }
-  EXPECT_FALSE(masks.segment(image_, kFirst_s).segmentation.empty());
+  EXPECT_FALSE(masks.segment({image_, kFirst_s}).segmentation.empty());
 }
 
 TEST_F(RecordedMasksTest, SaysThatMasksAreOfAnotherSizeWhenNoneCouldBeUsed) {
   writeMask(kFirst, cv::Mat(24, 32, CV_8UC1, cv::Scalar(1)));
   RecordedMasks masks = open();
-  (void)masks.segment(image_, kFirst_s);
+  (void)masks.segment({image_, kFirst_s});
   EXPECT_THAT([&] { masks.finish(); },
               ThrowsMessage<core::InputError>(AllOf(HasSubstr(kFirst), HasSubstr("32x24"), HasSubstr("64x48"))));
 }
@@ -192,21 +194,21 @@ TEST_F(RecordedMasksTest, LeavesOutAndCountsWhatHasNoName) {
   cv::Mat mask = personAndChair();
   mask(kChair).setTo(200);
   writeMask(kFirst, mask);
-  const auto result = open().segment(image_, kFirst_s);
+  const auto result = open().segment({image_, kFirst_s});
   EXPECT_THAT(result.events, UnorderedElementsAre(Pair("segmentation.class_without_name", 1U)));
   ASSERT_EQ(result.segmentation.instances.size(), 1U);
   EXPECT_EQ(result.segmentation.instances[0].classId, 1);
   EXPECT_EQ(cv::countNonZero(result.segmentation.classIds), kPerson.area());
 
   folder_.write("classes.txt", "200 drip_bag\n");
-  EXPECT_THAT(open().segment(image_, kFirst_s).events, IsEmpty());
+  EXPECT_THAT(open().segment({image_, kFirst_s}).events, IsEmpty());
 }
 
 TEST_F(RecordedMasksTest, SaysThatPicturesOfTwoLevelsAreNoMasks) {
   const cv::Mat image = personAndChair() != 0;
   ASSERT_TRUE(cv::imwrite((masks() / kFirst).string(), image, {cv::IMWRITE_PNG_BILEVEL, 1}));
   RecordedMasks masks = open();
-  EXPECT_TRUE(masks.segment(image_, kFirst_s).segmentation.empty());
+  EXPECT_TRUE(masks.segment({image_, kFirst_s}).segmentation.empty());
   EXPECT_THAT([&] { masks.finish(); },
               ThrowsMessage<core::InputError>(AllOf(HasSubstr(kFirst), HasSubstr("255"), HasSubstr("classes.txt"))));
 }
@@ -234,7 +236,7 @@ TEST_F(RecordedMasksTest, GivesGreyValuesOtherMeanings) {
   options.folder = masks().string();
   const auto labels = folder_.write("labels.yaml", "names: {100: trolley}\nclasses: {1: trolley}\n");
   RecordedMasks masks(options, labels);
-  const auto segmentation = masks.segment(image_, kFirst_s).segmentation;
+  const auto segmentation = masks.segment({image_, kFirst_s}).segmentation;
   EXPECT_EQ(cv::countNonZero(segmentation.classIds == 100), kPerson.area());
   EXPECT_EQ(cv::countNonZero(segmentation.classIds), kPerson.area());
   ASSERT_EQ(segmentation.instances.size(), 1U);
@@ -250,7 +252,7 @@ TEST(RecordedMasksOnARecording, KnowsTheThingsOfTheWard) {
   RecordedMasks masks(options);
   std::map<std::string, int> seen;
   for (const double stamp_s : {1700000000.0, 1700000003.333333, 1700000006.666667}) {
-    const auto result = masks.segment(cv::Mat(480, 640, CV_8UC3), stamp_s);
+    const auto result = masks.segment({cv::Mat(480, 640, CV_8UC3), stamp_s});
     EXPECT_THAT(result.events, IsEmpty());
     for (const auto& instance : result.segmentation.instances) {
       ++seen[masks.labelSpace().name(instance.classId)];

@@ -22,7 +22,18 @@ SegmentationOptions parse(const std::string& text) {
   return options;
 }
 
-TEST(SegmenterFactory, MakesNothingByDefault) { EXPECT_EQ(makeSegmenter({}), nullptr); }
+TEST(SegmenterFactory, MakesTheNetworkThatComesWithTheProgramByDefault) {
+  const auto segmenter = makeSegmenter({});
+  ASSERT_NE(dynamic_cast<DepthSegmenter*>(segmenter.get()), nullptr);
+  EXPECT_EQ(segmenter->labelSpace().find("person"), core::ClassId{1});
+  EXPECT_EQ(segmenter->labelSpace().name(102), "trolley");
+}
+
+TEST(SegmenterFactory, MakesNothingWhereNothingIsWanted) {
+  SegmentationOptions options;
+  options.type = Type::None;
+  EXPECT_EQ(makeSegmenter(options), nullptr);
+}
 
 TEST(SegmenterFactory, MakesRecordedMasks) {
   const test::TemporaryFolder folder;
@@ -49,11 +60,11 @@ TEST(SegmenterFactory, PassesSetUpErrorsOn) {
 TEST(SegmenterFactory, PassesOnWhatConcernsNetworks) {
   const test::TemporaryFolder folder;
   SegmentationOptions options;
-  for (const auto type : {Type::Yolo, Type::MaskRcnn, Type::Semantic}) {
+  for (const auto type : {Type::Depth, Type::Yolo, Type::MaskRcnn, Type::Semantic}) {
     options.type = type;
     options.backend = Backend::OnnxRuntime;
     options.mask_rcnn.model = "/no/such/graph.pb";
-    options.yolo.model = options.semantic.model = "/no/such/net.onnx";
+    options.depth.model = options.yolo.model = options.semantic.model = "/no/such/net.onnx";
     EXPECT_THROW((void)makeSegmenter(options), core::InputError);
     options.backend = Backend::OpenCv;
     EXPECT_THAT([&] { (void)makeSegmenter(options); }, ThrowsMessage<core::InputError>(HasSubstr("/no/such/")));

@@ -59,7 +59,7 @@ class SemanticSegmenterTest : public ::testing::Test {
 TEST_F(SemanticSegmenterTest, RunsANetworkOfScores) {
   SemanticSegmenter segmenter(scoresNetwork(), classes_);
   EXPECT_EQ(segmenter.inputSize_px(), cv::Size(64, 48));
-  const auto [segmentation, events] = segmenter.segment(image_, 0.0);
+  const auto [segmentation, events] = segmenter.segment({image_, 0.0});
   EXPECT_TRUE(events.empty());
   expectColours(segmentation);
 }
@@ -71,7 +71,7 @@ TEST_F(SemanticSegmenterTest, RunsANetworkOfClassNumbers) {
   onnx.addOutput("classes", test::OnnxWriter::ElementType::Int64);
   options_.model = folder_.write("classes.onnx", onnx.model()).string();
   SemanticSegmenter segmenter(options_, classes_);
-  expectColours(segmenter.segment(image_, 0.0).segmentation);
+  expectColours(segmenter.segment({image_, 0.0}).segmentation);
   EXPECT_THAT([&] { SemanticSegmenter nameless(options_); },
               ThrowsMessage<InputError>(HasSubstr("classes.onnx: puts out class numbers")));
 }
@@ -86,7 +86,7 @@ TEST_F(SemanticSegmenterTest, RunsAFrozenGraph) {
   options_.input_width_px = 64;
   options_.input_height_px = 48;
   SemanticSegmenter segmenter(options_, classes_);
-  expectColours(segmenter.segment(image_, 0.0).segmentation);
+  expectColours(segmenter.segment({image_, 0.0}).segmentation);
 }
 
 TEST_F(SemanticSegmenterTest, LetsTheUserChooseAnOpenInputSize) {
@@ -96,7 +96,7 @@ TEST_F(SemanticSegmenterTest, LetsTheUserChooseAnOpenInputSize) {
   options.input_width_px = 128;
   options.input_height_px = 128;  // letterboxed: 128x96
   SemanticSegmenter segmenter(options, classes_);
-  const auto segmentation = segmenter.segment(image_, 0.0).segmentation;
+  const auto segmentation = segmenter.segment({image_, 0.0}).segmentation;
   EXPECT_EQ(segmentation.classIds.size(), image_.size());
   EXPECT_EQ(segmentation.classIds.at<core::ClassId>(12, 16), 1);
   EXPECT_EQ(segmentation.classIds.at<core::ClassId>(24, 48), 57);
@@ -114,7 +114,7 @@ TEST_F(SemanticSegmenterTest, UsesTheOutputAskedFor) {
   options_.model = folder_.write("two.onnx", onnx.model()).string();
   options_.output = "out";
   SemanticSegmenter segmenter(options_, classes_);
-  expectColours(segmenter.segment(image_, 0.0).segmentation);
+  expectColours(segmenter.segment({image_, 0.0}).segmentation);
   options_.output = "nothing";
   EXPECT_THAT([&] { SemanticSegmenter other(options_, classes_); },
               ThrowsMessage<InputError>(HasSubstr("has no output 'nothing'")));
@@ -145,7 +145,7 @@ TEST_F(SemanticSegmenterTest, CountsImagesItCannotDo) {
   SemanticSegmenter segmenter(options_, {std::make_unique<test::FakeNetwork>(state), {64, 48}}, {}, classes_);
   state.fails = true;
   for (const auto& image : {image_, cv::Mat()}) {
-    const auto result = segmenter.segment(image, 0.0);
+    const auto result = segmenter.segment({image, 0.0});
     EXPECT_TRUE(result.segmentation.empty());
     EXPECT_EQ(result.events.count("segmentation.network_failed"), 1U);
   }

@@ -110,7 +110,7 @@ std::vector<double> personOverlaps(YoloSegmenter& segmenter, const fs::path& seq
     const fs::path mask = sequence / "masks" / images[i].filename().replace_extension(".png");
     const cv::Mat truth = cv::imread(mask.string(), cv::IMREAD_UNCHANGED) == 1;
     if (cv::countNonZero(truth) < 2500) continue;
-    const auto result = segmenter.segment(cv::imread(images[i].string()), 0.0);
+    const auto result = segmenter.segment({cv::imread(images[i].string()), 0.0});
     const cv::Mat person = result.segmentation.classIds == 1;
     overlaps.push_back(static_cast<double>(cv::countNonZero(truth & person)) / cv::countNonZero(truth | person));
   }
@@ -151,7 +151,7 @@ TEST_P(YoloOnRecordings, PutsOutTheSizeOfTheImageWhateverThatIs) {
   const fs::path image = kShared / "data" / "ward_walking" / "rgb" / "1700000005.000000.jpg";
   const cv::Mat whole = cv::imread(image.string());
   for (const cv::Rect& part : {cv::Rect(0, 0, 640, 480), cv::Rect(0, 0, 301, 480), cv::Rect(0, 100, 640, 77)}) {
-    const auto result = segmenter_->segment(whole(part), 0.0);
+    const auto result = segmenter_->segment({whole(part), 0.0});
     EXPECT_TRUE(result.events.empty());
     EXPECT_EQ(result.segmentation.classIds.size(), part.size());
     EXPECT_EQ(result.segmentation.instanceIds.size(), part.size());
@@ -170,18 +170,18 @@ TEST_P(YoloOnRecordings, GivesTheSameMasksOnBothBackends) {
   for (const char* name : {"1700000003.000000.jpg", "1700000005.000000.jpg", "1700000007.000000.jpg"}) {
     const cv::Mat image = cv::imread((kShared / "data" / "ward_walking" / "rgb" / name).string());
     ASSERT_FALSE(image.empty()) << name;
-    const auto one = segmenter_->segment(image, 0.0).segmentation;
-    const auto two = other->segment(image, 0.0).segmentation;
+    const auto one = segmenter_->segment({image, 0.0}).segmentation;
+    const auto two = other->segment({image, 0.0}).segmentation;
     EXPECT_EQ(one.instances.size(), two.instances.size()) << name;
     EXPECT_LT(cv::countNonZero(one.classIds != two.classIds), 100) << name;  // sums are rounded in another order
   }
 }
 
 TEST_P(YoloOnRecordings, SurvivesAnImageItCannotTake) {
-  const auto result = segmenter_->segment(cv::Mat(), 0.0);
+  const auto result = segmenter_->segment({cv::Mat(), 0.0});
   EXPECT_TRUE(result.segmentation.empty());
   EXPECT_EQ(result.events.count("segmentation.network_failed"), 1U);
-  EXPECT_FALSE(segmenter_->segment(cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(90)), 0.0).segmentation.empty());
+  EXPECT_FALSE(segmenter_->segment({cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(90)), 0.0}).segmentation.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, YoloOnRecordings,

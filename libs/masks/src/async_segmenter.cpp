@@ -19,8 +19,8 @@ AsyncSegmenter::~AsyncSegmenter() {
   worker_.join();
 }
 
-void AsyncSegmenter::submit(const cv::Mat& color_bgr, double stamp_s, const cv::Mat& depth_m) {
-  Task task([this, color_bgr, stamp_s, depth_m] { return segment(color_bgr, stamp_s, depth_m); });
+void AsyncSegmenter::submit(const segmentation::SegmenterInput& input) {
+  Task task([this, input] { return segment(input); });
   result_ = task.get_future();
   {
     const std::lock_guard lock(mutex_);
@@ -44,10 +44,9 @@ void AsyncSegmenter::finish() {
   segmenter_->finish();
 }
 
-segmentation::Segmenter::Result AsyncSegmenter::segment(const cv::Mat& color_bgr, double stamp_s,
-                                                        const cv::Mat& depth_m) {
-  auto result = segmenter_->segment(color_bgr, stamp_s);
-  if (refiner_) result.segmentation = refiner_->refine(color_bgr, depth_m, result.segmentation);
+segmentation::Segmenter::Result AsyncSegmenter::segment(const segmentation::SegmenterInput& input) {
+  auto result = segmenter_->segment(input);
+  if (refiner_) result.segmentation = refiner_->refine(input.color_bgr, input.depth_m, result.segmentation);
   return result;
 }
 

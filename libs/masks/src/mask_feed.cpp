@@ -33,7 +33,7 @@ class PlainFeed : public MaskFeed {
  public:
   explicit PlainFeed(std::shared_ptr<AsyncSegmenter> segmenter) : segmenter_(std::move(segmenter)) {}
 
-  void begin(const core::Frame& frame) override { segmenter_->submit(frame.color_bgr, frame.stamp_s, frame.depth_m); }
+  void begin(const core::Frame& frame) override { segmenter_->submit(segmentation::inputOf(frame)); }
   void fill(core::Frame& frame) override {
     frame.segmentation = accept(segmenter_->wait(), frame.color_bgr.size(), frame.events);
   }
@@ -47,7 +47,7 @@ class BridgingFeed : public MaskFeed {
   BridgingFeed(const MaskFeedOptions& options, std::shared_ptr<AsyncSegmenter> segmenter)
       : segmenter_(std::move(segmenter)), tracker_(options.tracker) {}
 
-  void begin(const core::Frame& frame) override { segmenter_->submit(frame.color_bgr, frame.stamp_s, frame.depth_m); }
+  void begin(const core::Frame& frame) override { segmenter_->submit(segmentation::inputOf(frame)); }
 
   void fill(core::Frame& frame) override {
     const core::Segmentation carried = carryLast(frame);  // while the segmenter works
@@ -79,7 +79,7 @@ class PropagatingFeed : public MaskFeed {
   void begin(const core::Frame& frame) override {
     if (isDue()) finished_ = latency_frames_ > 0 ? segmenter_->wait() : segmenter_->tryTake();
     isSubmitted_ = !segmenter_->isExpected();
-    if (isSubmitted_) segmenter_->submit(frame.color_bgr, frame.stamp_s, frame.depth_m);
+    if (isSubmitted_) segmenter_->submit(segmentation::inputOf(frame));
   }
 
   void fill(core::Frame& frame) override {
@@ -130,7 +130,7 @@ class PropagatingFeed : public MaskFeed {
   void waitForFirst(core::Frame& frame) {
     if (!isSubmitted_) {  // it works on an image that was before
       (void)segmenter_->wait();
-      segmenter_->submit(frame.color_bgr, frame.stamp_s, frame.depth_m);
+      segmenter_->submit(segmentation::inputOf(frame));
     }
     const core::Segmentation detected = accept(segmenter_->wait(), frame.color_bgr.size(), frame.events);
     newest_ = anchorAt(frame, tracker_.update(detected, {}, frame.stamp_s));

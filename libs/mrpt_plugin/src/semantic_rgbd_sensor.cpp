@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 /// While a camera is away, the program that asks wants to be able to end.
 constexpr auto kPatience = 200ms;
 
-/// Without anything that segments, what moves is told by geometry alone.
+/// Where nothing is to segment (segmentation.type = none), what moves is told by geometry alone.
 pipeline::SlamOptions readFilterOptions(const mrpt::config::CConfigFileBase& ini, const std::string& section) {
   auto options = section.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(ini, section);
   const bool isSegmented = options.segmentation.type != segmentation::SegmentationOptions::Type::None;

@@ -32,7 +32,7 @@ FrontEnd::FrontEnd(const SlamOptions& options, const odometry::Continuation& ear
     : mapFrame_(options.map_frame),
       annotates_(options.annotate),
       knowledge_(readKnowledge(options)),
-      segmenter_(makeAsyncSegmenter(options.segmentation, *knowledge_)),
+      segmenter_(options.segments() ? makeAsyncSegmenter(options.segmentation, *knowledge_) : nullptr),
       labels_(segmenter_ ? segmenter_->labelSpace() : core::LabelSpace::coco()),
       features_(options.features),
       filters_(options.filters, {segmenter_, knowledge_, options.deterministic}),

@@ -3,6 +3,8 @@
 namespace wardslam::pipeline {
 namespace {
 
+constexpr const char* kSemanticFilter = "wardslam::filters::SemanticDynamicFilter";
+
 /// A file that lies beside the one that names it, by its full path, so that the options can be written elsewhere.
 std::string located(const std::string& name, const std::filesystem::path& referringFile) {
   const auto beside = std::filesystem::absolute(referringFile).parent_path() / name;
@@ -40,6 +42,25 @@ void SlamOptions::keepOnlyFilters(const std::string& className) {
     YAML::Node withDefaults;
     withDefaults["class_name"] = className;
     kept.push_back(withDefaults);
+  }
+  filters = core::ConfigNode(kept, filters.file(), filters.key());
+}
+
+bool SlamOptions::segments() const {
+  using Type = segmentation::SegmentationOptions::Type;
+  if (segmentation.type != Type::Depth) return segmentation.type != Type::None;
+  if (!filters.yaml().IsSequence()) return true;  // the chain will say what is wrong
+  for (const YAML::Node& filter : filters.yaml()) {
+    if (filter.IsMap() && filter["class_name"].as<std::string>("") == kSemanticFilter) return true;
+  }
+  return false;
+}
+
+void SlamOptions::removeFilters(const std::string& className) {
+  if (!filters.yaml().IsSequence()) return;
+  YAML::Node kept(YAML::NodeType::Sequence);
+  for (const YAML::Node& filter : filters.yaml()) {
+    if (!filter.IsMap() || filter["class_name"].as<std::string>("") != className) kept.push_back(filter);
   }
   filters = core::ConfigNode(kept, filters.file(), filters.key());
 }

@@ -55,10 +55,7 @@ std::unique_ptr<mapping::MapBuilder> makeMapBuilder(const SlamOptions& options, 
   return builder;
 }
 
-ViewSelection makeViewSelection(const SlamOptions& options) {
-  const bool isSegmented = options.segmentation.type != segmentation::SegmentationOptions::Type::None;
-  return {options.mapping.views, isSegmented};
-}
+ViewSelection makeViewSelection(const SlamOptions& options) { return {options.mapping.views, options.segments()}; }
 
 core::StageThread threadOf(const SlamOptions& options) {
   return options.deterministic ? core::StageThread::Caller : core::StageThread::Own;
@@ -91,8 +88,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, Wh
       graphBuilding_(makeMapper(options, earlier), threadOf(options), graphCapacity(whenBehind)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
   if (hasEarlierMap_) pieces_ = odometry::Pieces(earlier.graph.map);
-  requireSameNames(labelSpace(), options.segmentation.type != segmentation::SegmentationOptions::Type::None,
-                   earlier.semantic);
+  requireSameNames(labelSpace(), options.segments(), earlier.semantic);
   addObserver(trajectory_);
   if (!options.mapping.enabled) return;
   mapBuilding_ = std::make_unique<core::Stage<mapping::MapBuilder>>(

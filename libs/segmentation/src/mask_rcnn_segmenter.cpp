@@ -50,11 +50,11 @@ MaskRcnnSegmenter::MaskRcnnSegmenter(MaskRcnnOptions options, OpenedNetwork open
   labels_ = LabelMap::forNetwork(*classes, classesFile, source.model.string());
 }
 
-Segmenter::Result MaskRcnnSegmenter::segment(const cv::Mat& color_bgr, double /*stamp_s*/) {
+Segmenter::Result MaskRcnnSegmenter::segment(const SegmenterInput& input) {
   try {
-    const auto outputs = network_->infer(blobOf(color_bgr));
+    const auto outputs = network_->infer(blobOf(input.color_bgr));
     if (classesOf(outputs)) {
-      return {decodeMaskRcnn(outputs[0], outputs[1], labels_, color_bgr.size(), options_.decoder), {}};
+      return {decodeMaskRcnn(outputs[0], outputs[1], labels_, input.color_bgr.size(), options_.decoder), {}};
     }
   } catch (const NetworkError&) {
   } catch (const cv::Exception&) {  // an image that is none

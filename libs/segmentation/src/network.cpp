@@ -35,8 +35,9 @@ std::string readModel(const NetworkSource& source) {
 
 /// Empty where the file leaves it open.
 cv::Size onnxInputSize(const NetworkSource& source, std::string_view bytes) {
-  const auto shape = onnxImageInput(bytes);
-  if (!shape) fail(source.model, "takes no image of three channels; give a " + source.kind + " network");
+  const auto shape = onnxImageInput(bytes, source.channels);
+  const std::string channels = source.channels == 3 ? "three" : std::to_string(source.channels);
+  if (!shape) fail(source.model, "takes no image of " + channels + " channels; give a " + source.kind + " network");
   const std::int64_t height = (*shape)[2];
   const std::int64_t width = (*shape)[3];
   if (std::min(height, width) < 1 || std::max(height, width) > kMaxInput_px) return {};

@@ -85,14 +85,14 @@ constexpr std::uint64_t kGraph = 7;
 
 }  // namespace
 
-std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes) {
+std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes, int channels) {
   constexpr std::uint64_t kInput = 11;
   MessageReader graph(child(bytes, kGraph));
   while (const auto field = graph.next()) {
     if (field->number != kInput) continue;
     auto shape = shapeOf(field->bytes);
     // Old files list the weights among the inputs; an image has three channels and is one of a batch.
-    if (shape.size() == 4 && shape[0] <= 1 && (shape[1] == 3 || shape[1] == 0)) return shape;
+    if (shape.size() == 4 && shape[0] <= 1 && (shape[1] == channels || shape[1] == 0)) return shape;
   }
   return std::nullopt;
 }

@@ -8,11 +8,12 @@
 
 namespace wardslam::segmentation {
 
-/// Shape of the first image-like ([batch, channels, height, width]) input that an ONNX file declares; a dimension the
-/// file leaves open is 0. cv::dnn knows it, but does not tell. Empty when there is none or the bytes are not ONNX.
+/// Shape of the first image-like ([batch, channels, height, width]) input of so many channels that an ONNX file
+/// declares; a dimension the file leaves open is 0. cv::dnn knows it, but does not tell. Empty when there is none or
+/// the bytes are not ONNX.
 ///
 /// Walks the protobuf message ModelProto by its field numbers, see onnx.proto: no more of it is needed here.
-[[nodiscard]] std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes);
+[[nodiscard]] std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes, int channels = 3);
 
 /// Names of the outputs that an ONNX file declares, in its order, which cv::dnn does not keep. Empty when the bytes are
 /// not ONNX.

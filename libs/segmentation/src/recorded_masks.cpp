@@ -91,9 +91,9 @@ RecordedMasks::RecordedMasks(const RecordedMasksOptions& options, const fs::path
   if (!first.empty() && first.type() != CV_8UC1) throw core::InputError(notClassIds(masks_.firstFile()));
 }
 
-Segmenter::Result RecordedMasks::segment(const cv::Mat& color_bgr, double stamp_s) {
-  const auto file = masks_.nearest(stamp_s, options_.tolerance_ms * 1e-3);
-  if (!file) return miss("segmentation.mask_missing", describeNoMatch(stamp_s));
+Segmenter::Result RecordedMasks::segment(const SegmenterInput& input) {
+  const auto file = masks_.nearest(input.stamp_s, options_.tolerance_ms * 1e-3);
+  if (!file) return miss("segmentation.mask_missing", describeNoMatch(input.stamp_s));
 
   constexpr const char* kUnreadable = "segmentation.mask_unreadable";
   cv::Mat classIds = readImage(*file);
@@ -101,9 +101,9 @@ Segmenter::Result RecordedMasks::segment(const cv::Mat& color_bgr, double stamp_
     return miss(kUnreadable, file->string() + ": damaged or not a PNG; write the masks anew or leave this one out");
   }
   if (classIds.type() != CV_8UC1) return miss(kUnreadable, notClassIds(*file));
-  if (classIds.size() != color_bgr.size()) {
+  if (classIds.size() != input.color_bgr.size()) {
     return miss(kUnreadable, file->string() + ": is " + sizeText(classIds) + ", but the image it belongs to is " +
-                                 sizeText(color_bgr) + "; give masks made from images of that size");
+                                 sizeText(input.color_bgr) + "; give masks made from images of that size");
   }
   classIds = labels_.apply(classIds);
   Result result;

@@ -4,6 +4,8 @@ namespace wardslam::segmentation {
 
 std::unique_ptr<Segmenter> makeSegmenter(const SegmentationOptions& options) {
   switch (options.type) {
+    case SegmentationOptions::Type::Depth:
+      return std::make_unique<DepthSegmenter>(options.depth, options.classes, options.backend);
     case SegmentationOptions::Type::RecordedMasks:
       return std::make_unique<RecordedMasks>(options.recorded_masks, options.classes);
     case SegmentationOptions::Type::Yolo:

@@ -89,10 +89,10 @@ SemanticSegmenter::SemanticSegmenter(const SemanticOptions& options, OpenedNetwo
   labels_ = labelsFor(layout_, classesFile, source.model);
 }
 
-Segmenter::Result SemanticSegmenter::segment(const cv::Mat& color_bgr, double /*stamp_s*/) {
+Segmenter::Result SemanticSegmenter::segment(const SegmenterInput& input) {
   try {
-    const Letterbox letterbox(color_bgr.size(), input_px_);
-    const auto outputs = network_->infer(normalised(letterbox.apply(color_bgr), options_.normalisation));
+    const Letterbox letterbox(input.color_bgr.size(), input_px_);
+    const auto outputs = network_->infer(normalised(letterbox.apply(input.color_bgr), options_.normalisation));
     return {decodeSemantic(outputs.at(0), layout_, letterbox, labels_, options_.min_region_px), {}};
   } catch (const NetworkError&) {
   } catch (const cv::Exception&) {  // an image that is none

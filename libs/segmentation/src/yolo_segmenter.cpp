@@ -56,10 +56,10 @@ YoloSegmenter::YoloSegmenter(const YoloOptions& options, OpenedNetwork opened, c
   labels_ = LabelMap::forNetwork(layout_.classes, classesFile, source.model.string());
 }
 
-Segmenter::Result YoloSegmenter::segment(const cv::Mat& color_bgr, double /*stamp_s*/) {
+Segmenter::Result YoloSegmenter::segment(const SegmenterInput& input) {
   try {
-    const Letterbox letterbox(color_bgr.size(), input_px_);
-    const auto outputs = network_->infer(blobOf(letterbox.apply(color_bgr)));
+    const Letterbox letterbox(input.color_bgr.size(), input_px_);
+    const auto outputs = network_->infer(blobOf(letterbox.apply(input.color_bgr)));
     const cv::Mat& detections = outputs.at(detectionsIndex_);
     const cv::Mat& prototypes = outputs.at(1 - detectionsIndex_);
     return {decodeYolo(detections, prototypes, layout_, letterbox, labels_, options_), {}};

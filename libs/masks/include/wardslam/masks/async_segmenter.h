@@ -24,8 +24,7 @@ class AsyncSegmenter {
   AsyncSegmenter& operator=(const AsyncSegmenter&) = delete;
 
   /// Returns at once. Keeps a reference to the pixels: do not change them before its result was taken.
-  /// `depth_m` is for the refiner (CV_32FC1, 0 = none).
-  void submit(const cv::Mat& color_bgr, double stamp_s, const cv::Mat& depth_m = {});
+  void submit(const segmentation::SegmenterInput& input);
 
   /// The result of the last submit(), once for each; throws what the segmenter threw. Throws std::logic_error when
   /// nothing was submitted since.
@@ -46,8 +45,7 @@ class AsyncSegmenter {
   using Task = std::packaged_task<segmentation::Segmenter::Result()>;
   void work();
 
-  [[nodiscard]] segmentation::Segmenter::Result segment(const cv::Mat& color_bgr, double stamp_s,
-                                                        const cv::Mat& depth_m);
+  [[nodiscard]] segmentation::Segmenter::Result segment(const segmentation::SegmenterInput& input);
 
   std::unique_ptr<segmentation::Segmenter> segmenter_;
   std::optional<ContourRefiner> refiner_;

@@ -74,6 +74,13 @@ struct SlamOptions {
   /// Leaves only the filters of this class, as configured; where there is none, one with its defaults.
   void keepOnlyFilters(const std::string& className);
 
+  /// Leaves out the filters of this class.
+  void removeFilters(const std::string& className);
+
+  /// Whether there are masks to be had. The network that comes with the program, which is the default, only works where
+  /// the semantic dynamic filter is there to make use of it.
+  [[nodiscard]] bool segments() const;
+
   /// Everything but the filters, whose parameters only they themselves know.
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {

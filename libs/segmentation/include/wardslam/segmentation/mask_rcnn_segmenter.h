@@ -36,7 +36,7 @@ class MaskRcnnSegmenter : public Segmenter {
   MaskRcnnSegmenter(MaskRcnnOptions options, OpenedNetwork opened, const NetworkSource& source,
                     const std::filesystem::path& classesFile = {});
 
-  [[nodiscard]] Result segment(const cv::Mat& color_bgr, double stamp_s) override;
+  [[nodiscard]] Result segment(const SegmenterInput& input) override;
   [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labels_.labels(); }
 
  private:

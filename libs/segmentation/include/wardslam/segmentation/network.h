@@ -24,8 +24,8 @@ class Network {
  public:
   virtual ~Network() = default;
 
-  /// `blob`: CV_32F [1, 3, height, width]. The outputs, all CV_32F, in the order asked for at opening; valid until the
-  /// next call. Throws NetworkError.
+  /// `blob`: CV_32F [1, channels, height, width]. The outputs, all CV_32F, in the order asked for at opening; valid
+  /// until the next call. Throws NetworkError.
   [[nodiscard]] virtual std::vector<cv::Mat> infer(const cv::Mat& blob) = 0;
 };
 
@@ -35,6 +35,7 @@ struct NetworkSource {
   std::filesystem::path graph;       ///< OpenCV's description (.pbtxt) of a frozen graph; empty: none needed.
   std::vector<std::string> outputs;  ///< Names; empty: all, in the order of the file.
   Backend backend = Backend::OpenCv;
+  int channels = 3;    ///< Of the image that it must take.
   std::string kind;    ///< For error messages: "YOLO-seg".
   std::string key;     ///< For error messages: the option that names the model, "yolo.model".
   std::string advice;  ///< For error messages: what to do when the library cannot load it; may be empty.
@@ -45,7 +46,7 @@ struct OpenedNetwork {
   cv::Size input_px;  ///< As the file declares it; 0x0 where that is left open or not told (TensorFlow).
 };
 
-/// Throws core::InputError when a file is missing, damaged, not one the library can load, or takes no image of three
+/// Throws core::InputError when a file is missing, damaged, not one the library can load, or takes no image of so many
 /// channels; or when the backend is not part of this build.
 [[nodiscard]] OpenedNetwork openNetwork(const NetworkSource& source);
 

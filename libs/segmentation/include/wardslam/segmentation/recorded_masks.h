@@ -35,7 +35,7 @@ class RecordedMasks : public Segmenter {
   /// `classesFile`: read in place of the sibling classes.txt when not empty. Throws core::InputError.
   explicit RecordedMasks(const RecordedMasksOptions& options, const std::filesystem::path& classesFile = {});
 
-  [[nodiscard]] Result segment(const cv::Mat& color_bgr, double stamp_s) override;
+  [[nodiscard]] Result segment(const SegmenterInput& input) override;
   void finish() override;
   [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labels_.labels(); }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "wardslam/segmentation/depth_segmenter.h"
 #include "wardslam/segmentation/mask_rcnn_segmenter.h"
 #include "wardslam/segmentation/network.h"
 #include "wardslam/segmentation/recorded_masks.h"
@@ -15,11 +16,12 @@ namespace wardslam::segmentation {
 
 /// Section `segmentation:` of the configuration.
 struct SegmentationOptions {
-  enum class Type : std::uint8_t { None, RecordedMasks, Yolo, MaskRcnn, Semantic };
+  enum class Type : std::uint8_t { None, Depth, RecordedMasks, Yolo, MaskRcnn, Semantic };
 
-  Type type = Type::None;
+  Type type = Type::Depth;
   std::string classes;
   Backend backend = Backend::OpenCv;
+  DepthOptions depth;
   RecordedMasksOptions recorded_masks;
   YoloOptions yolo;
   MaskRcnnOptions mask_rcnn;
@@ -34,11 +36,13 @@ struct SegmentationOptions {
 
 template <class Self, class Visitor>
 void SegmentationOptions::describe(Self& self, Visitor& visit) {
-  visit("type", self.type, {"none", "recorded_masks", "yolo", "mask_rcnn", "semantic"}, "where masks come from");
+  visit("type", self.type, {"none", "depth", "recorded_masks", "yolo", "mask_rcnn", "semantic"},
+        "where masks come from; depth: the network that comes with the program, which sees the depth image alone");
   visit("classes", self.classes,
         "label file (labels/voc21.yaml, or lines of '<id> <name>'): what the class numbers of network or masks mean; "
-        "empty: told by their count, or by what the masks bring");
+        "empty: told by their count, by the file beside a depth network, or by what the masks bring");
   visit("backend", self.backend, {"opencv", "onnxruntime"}, "which library runs the network");
+  visit.group("depth", self.depth);
   visit.group("recorded_masks", self.recorded_masks);
   visit.group("yolo", self.yolo);
   visit.group("mask_rcnn", self.mask_rcnn);

@@ -46,7 +46,7 @@ class SemanticSegmenter : public Segmenter {
   SemanticSegmenter(const SemanticOptions& options, OpenedNetwork opened, const NetworkSource& source,
                     const std::filesystem::path& classesFile = {});
 
-  [[nodiscard]] Result segment(const cv::Mat& color_bgr, double stamp_s) override;
+  [[nodiscard]] Result segment(const SegmenterInput& input) override;
   [[nodiscard]] const core::LabelSpace& labelSpace() const override { return labels_.labels(); }
 
   /// What the network takes.
