@@ -97,10 +97,13 @@ LensView::LensView(const core::CameraModel& camera) : camera_(camera), pinhole_(
   pinhole_ = covering(pixels, camera);
 }
 
-cv::Mat LensView::rays(const cv::Size& size_px) const {
+Directions LensView::rays(const cv::Size& size_px) const {
   cv::Mat rays;
   raysThrough(undistortedPixels(camera_, size_px), camera_).convertTo(rays, CV_32F);
-  return rays;
+  Directions directions;
+  cv::extractChannel(rays, directions.x, 0);
+  cv::extractChannel(rays, directions.y, 1);
+  return directions;
 }
 
 }  // namespace wardslam::synth

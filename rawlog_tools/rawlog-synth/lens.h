@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
+#include "ray_casting.h"
 #include "wardslam/core/camera_model.h"
 
 namespace wardslam::synth {
@@ -29,8 +30,8 @@ class LensView {
     const auto& ray = rays_.at<cv::Vec3d>(y_px, x_px);
     return {ray[0], ray[1], ray[2]};
   }
-  /// Those of the pixels of an image of that size in which the same is seen, CV_32FC3.
-  [[nodiscard]] cv::Mat rays(const cv::Size& size_px) const;
+  /// Those of the pixels of an image of that size in which the same is seen.
+  [[nodiscard]] Directions rays(const cv::Size& size_px) const;
 
  private:
   core::CameraModel camera_;

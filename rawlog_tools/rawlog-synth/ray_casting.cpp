@@ -54,7 +54,7 @@ RayCaster::Tree::Tree(RTCDevice device, std::vector<Piece> pieces, Use use)
   for (const Piece& piece : pieces_) most = std::max(most, 3 * piece.triangles);
   corners_.resize(most);
   std::iota(corners_.begin(), corners_.end(), 0U);
-  const RTCBuildQuality quality = use == Use::Often ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
+  const RTCBuildQuality quality = use == Use::Often ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_LOW;
   rtcSetSceneBuildQuality(scene_, quality);
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
   for (const Piece& piece : pieces_) add(device, piece, quality);
@@ -98,16 +98,40 @@ namespace {
 /// The rays of 4 x 2 pixels, of which some may lie outside of the image.
 class Bundle {
  public:
-  Bundle(const RayFan& fan, const Eigen::Matrix3f& R_world_cam, const cv::Point& corner_px) {
+  Bundle(const RayFan& fan, const Eigen::Matrix3f& R_world_cam) {
     const Eigen::Vector3f origin_m = fan.T_world_cam.translation().cast<float>();
-    for (int i = 0; i < kLanes; ++i) {
-      const cv::Point at = corner_px + cv::Point(i % kLaneColumns, i / kLaneColumns);
-      const bool isInside = at.x < fan.directions.cols && at.y < fan.directions.rows;
-      const auto& direction = fan.directions.at<cv::Vec3f>(isInside ? at : corner_px);
-      set(static_cast<std::size_t>(i), origin_m,
-          R_world_cam * Eigen::Vector3f(direction[0], direction[1], direction[2]), fan);
-      valid_[static_cast<std::size_t>(i)] = isInside ? -1 : 0;
+    auto& ray = rays_.ray;
+    std::fill_n(ray.org_x, kLanes, origin_m.x());
+    std::fill_n(ray.org_y, kLanes, origin_m.y());
+    std::fill_n(ray.org_z, kLanes, origin_m.z());
+    std::fill_n(ray.tnear, kLanes, fan.nearest_m);  // as z = 1, lengths of rays are depths
+    std::fill_n(ray.time, kLanes, 0.0F);
+    std::fill_n(ray.mask, kLanes, ~0U);
+    std::fill_n(ray.id, kLanes, 0U);
+    std::fill_n(ray.flags, kLanes, 0U);
+    turn_ = R_world_cam;
+  }
+
+  /// Turns to other pixels.
+  void aim(const RayFan& fan, const cv::Point& corner_px) {
+    alignas(32) std::array<float, kLanes> x{};
+    alignas(32) std::array<float, kLanes> y{};
+    const int columns = std::min(kLaneColumns, fan.directions.x.cols - corner_px.x);
+    valid_.fill(0);
+    for (int row = 0; row < kLaneRows && corner_px.y + row < fan.directions.x.rows; ++row) {
+      const auto first = static_cast<std::size_t>(row * kLaneColumns);
+      std::copy_n(fan.directions.x.ptr<float>(corner_px.y + row) + corner_px.x, columns, &x[first]);
+      std::copy_n(fan.directions.y.ptr<float>(corner_px.y + row) + corner_px.x, columns, &y[first]);
+      std::fill_n(&valid_[first], columns, -1);
     }
+    auto& ray = rays_.ray;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      ray.dir_x[i] = turn_(0, 0) * x[i] + turn_(0, 1) * y[i] + turn_(0, 2);
+      ray.dir_y[i] = turn_(1, 0) * x[i] + turn_(1, 1) * y[i] + turn_(1, 2);
+      ray.dir_z[i] = turn_(2, 0) * x[i] + turn_(2, 1) * y[i] + turn_(2, 2);
+    }
+    std::fill_n(ray.tfar, kLanes, fan.farthest_m);
+    hits_.fill({});
   }
 
   void meet(const RayCaster::Tree& tree) { tree.meet(valid_, rays_, hits_); }
@@ -120,22 +144,7 @@ class Bundle {
   }
 
  private:
-  void set(std::size_t lane, const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction, const RayFan& fan) {
-    auto& ray = rays_.ray;
-    ray.org_x[lane] = origin_m.x();
-    ray.org_y[lane] = origin_m.y();
-    ray.org_z[lane] = origin_m.z();
-    ray.dir_x[lane] = direction.x();
-    ray.dir_y[lane] = direction.y();
-    ray.dir_z[lane] = direction.z();
-    ray.tnear[lane] = fan.nearest_m;  // as z = 1, lengths of rays are depths
-    ray.tfar[lane] = fan.farthest_m;
-    ray.time[lane] = 0.0F;
-    ray.mask[lane] = ~0U;
-    ray.id[lane] = 0;
-    ray.flags[lane] = 0;
-  }
-
+  Eigen::Matrix3f turn_;
   alignas(32) std::array<int, kLanes> valid_{};
   RTCRayHit8 rays_;
   std::array<Hit, kLanes> hits_{};
@@ -145,10 +154,11 @@ class Bundle {
 
 void castRays(const RayFan& fan, const std::vector<std::shared_ptr<const RayCaster::Tree>>& trees,
               const std::function<void(int x_px, int y_px, const Hit& hit)>& visit) {
-  const Eigen::Matrix3f R_world_cam = fan.T_world_cam.linear().cast<float>();
-  for (int y = 0; y < fan.directions.rows; y += kLaneRows) {
-    for (int x = 0; x < fan.directions.cols; x += kLaneColumns) {
-      Bundle bundle(fan, R_world_cam, {x, y});
+  Bundle bundle(fan, fan.T_world_cam.linear().cast<float>());
+  const cv::Size size_px = fan.directions.size();
+  for (int y = 0; y < size_px.height; y += kLaneRows) {
+    for (int x = 0; x < size_px.width; x += kLaneColumns) {
+      bundle.aim(fan, {x, y});
       for (const auto& tree : trees) bundle.meet(*tree);
       bundle.show({x, y}, visit);
     }

@@ -28,6 +28,11 @@ struct Hit {
   float u = 0.0F;
   float v = 0.0F;
   float depth_m = 0.0F;  ///< Along the optical axis, in single precision.
+
+  /// Height of the place over z = 0 of the world.
+  [[nodiscard]] float z_m() const {
+    return (1 - u - v) * corners[0].p_m.z() + u * corners[1].p_m.z() + v * corners[2].p_m.z();
+  }
 };
 
 /// Makes trees over triangles, in which rays find them (Embree). Any number of threads may make and use trees at once.
@@ -51,9 +56,20 @@ class RayCaster {
   std::unique_ptr<Device> device_;
 };
 
+/// Where the rays of an image's pixels lead, camera frame, z = 1.
+struct Directions {
+  cv::Mat x;  ///< CV_32FC1
+  cv::Mat y;  ///< The same size.
+
+  [[nodiscard]] cv::Size size() const { return x.size(); }
+  [[nodiscard]] Eigen::Vector3f at(int x_px, int y_px) const {
+    return {x.at<float>(y_px, x_px), y.at<float>(y_px, x_px), 1.0F};
+  }
+};
+
 /// Where rays start and where they lead.
 struct RayFan {
-  cv::Mat directions;  ///< CV_32FC3, camera frame, z = 1.
+  Directions directions;
   Eigen::Isometry3d T_world_cam = Eigen::Isometry3d::Identity();
   float nearest_m = 0.0F;  ///< Along the optical axis; what is nearer is not seen.
   float farthest_m = 0.0F;

@@ -67,7 +67,7 @@ struct Moment {
 struct Renderer::Impl {
   Impl(const Scene& renderedScene, const core::CameraModel& model);
   [[nodiscard]] Moment at(double t_s, const Eigen::Isometry3d& T_world_cam) const;
-  [[nodiscard]] RayFan fan(const cv::Mat& directions, const Eigen::Isometry3d& T_world_cam) const {
+  [[nodiscard]] RayFan fan(const Directions& directions, const Eigen::Isometry3d& T_world_cam) const {
     return {directions, T_world_cam, kNear_m, scene.farthest_m};
   }
   [[nodiscard]] cv::Mat colours(const Moment& moment, const Eigen::Isometry3d& T_world_cam) const;
@@ -76,8 +76,8 @@ struct Renderer::Impl {
   const Scene& scene;
   LensView lens;
   cv::Size size_px;
-  cv::Mat rays;        ///< Of the pixels.
-  cv::Mat colourRays;  ///< Of those of the larger image.
+  Directions rays;        ///< Of the pixels.
+  Directions colourRays;  ///< Of those of the larger image.
   Cells cells;
   Shading shading;
   RayCaster caster;
@@ -119,13 +119,12 @@ Moment Renderer::Impl::at(double t_s, const Eigen::Isometry3d& T_world_cam) cons
 cv::Mat Renderer::Impl::colours(const Moment& moment, const Eigen::Isometry3d& T_world_cam) const {
   const Eigen::Vector3f origin_m = T_world_cam.translation().cast<float>();
   const Eigen::Matrix3f R_world_cam = T_world_cam.linear().cast<float>();
+  const bool isLow = origin_m.z() < moment.shadows.highest_m();
   cv::Mat large(colourRays.size(), CV_8UC3);
   castRays(fan(colourRays, T_world_cam), moment.trees, [&](int x, int y, const Hit& hit) {
     Eigen::Array3f colour = shading.colourOf(hit);
-    if (hit.piece != nullptr) {
-      const auto& ray = colourRays.at<cv::Vec3f>(y, x);
-      colour =
-          moment.shadows.over(colour, origin_m, R_world_cam * Eigen::Vector3f(ray[0], ray[1], ray[2]), hit.depth_m);
+    if (hit.piece != nullptr && (hit.z_m() < moment.shadows.highest_m() || isLow)) {
+      colour = moment.shadows.over(colour, origin_m, R_world_cam * colourRays.at(x, y), hit.depth_m);
     }
     auto& out = large.at<cv::Vec3b>(y, x);
     for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(colour[c] + 0.5F);

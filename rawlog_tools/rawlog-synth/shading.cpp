@@ -89,7 +89,7 @@ Eigen::Array3f Shading::colourOf(const Hit& hit) const {
 }
 
 void FloorShadows::add(const Eigen::AlignedBox2f& area_m, float z_m) {
-  spots_.push_back({area_m.center().array(), 0.5F * area_m.sizes().array(), z_m});
+  spots_.push_back({area_m.center(), 2.0F * area_m.sizes().cwiseInverse(), z_m});
   highest_m_ = std::max(highest_m_, z_m);
 }
 
@@ -99,14 +99,15 @@ Eigen::Array3f FloorShadows::over(const Eigen::Array3f& colour, const Eigen::Vec
   constexpr float kOwnColour = 20.0F;
   static const float lit = kOwnColour * lightOn(Eigen::Vector3f::UnitZ());
   Eigen::Array3f out = colour;
-  if (std::min(origin_m.z(), origin_m.z() + depth_m * direction.z()) > highest_m_) return out;  // all of the ray is
+  const float perMetre = 1.0F / direction.z();
   for (const Spot& spot : spots_) {
-    const float there_m = (spot.z_m - origin_m.z()) / direction.z();
+    const float there_m = (spot.z_m - origin_m.z()) * perMetre;
     if (!(there_m > 0.0F && there_m < depth_m)) continue;
-    const Eigen::Array2f off = ((origin_m + there_m * direction).head<2>().array() - spot.middle_m) / spot.half_m;
-    if (off.abs().maxCoeff() > 1.0F) continue;
+    const float x = (origin_m.x() + there_m * direction.x() - spot.middle_m.x()) * spot.perHalf.x();
+    const float y = (origin_m.y() + there_m * direction.y() - spot.middle_m.y()) * spot.perHalf.y();
+    if (std::max(std::abs(x), std::abs(y)) > 1.0F) continue;
     depth_m = there_m;  // what lies lower is hidden
-    const float inside = std::max(0.0F, 1.0F - off.square().sum());
+    const float inside = std::max(0.0F, 1.0F - x * x - y * y);
     out += kDarkest * inside * inside * (lit - out);
   }
   return out;

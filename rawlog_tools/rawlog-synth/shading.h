@@ -31,14 +31,17 @@ class FloorShadows {
   /// World frame.
   void add(const Eigen::AlignedBox2f& area_m, float z_m);
 
+  /// None of them is higher. A ray from above is in none of them before it is down there.
+  [[nodiscard]] float highest_m() const { return highest_m_; }
+
   /// The colour of a surface that is seen through them, `depth_m` along the ray.
   [[nodiscard]] Eigen::Array3f over(const Eigen::Array3f& colour, const Eigen::Vector3f& origin_m,
                                     const Eigen::Vector3f& direction, float depth_m) const;
 
  private:
   struct Spot {
-    Eigen::Array2f middle_m;
-    Eigen::Array2f half_m;
+    Eigen::Vector2f middle_m;
+    Eigen::Vector2f perHalf;  ///< 1 / half of its size.
     float z_m;
   };
   std::vector<Spot> spots_;

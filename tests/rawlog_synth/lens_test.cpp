@@ -42,12 +42,12 @@ TEST_P(LensOfACamera, ThePinholesImageHoldsAllThatIsShown) {
 
 TEST_P(LensOfACamera, AnImageOfAnotherSizeShowsTheSame) {
   const LensView lens(camera_);
-  const cv::Mat same = lens.rays({320, 240});
-  const cv::Mat finer = lens.rays({960, 720});  // its pixel 3 x + 1 lies in the middle of pixel x
+  const Directions same = lens.rays({320, 240});
+  const Directions finer = lens.rays({960, 720});  // its pixel 3 x + 1 lies in the middle of pixel x
   for (const auto& [x, y] : {std::pair(0, 0), {319, 0}, {7, 200}, {160, 120}, {319, 239}}) {
     const Eigen::Vector3d ray = lens.ray(x, y);
-    for (const cv::Vec3f& other : {same.at<cv::Vec3f>(y, x), finer.at<cv::Vec3f>(3 * y + 1, 3 * x + 1)}) {
-      EXPECT_LT((Eigen::Vector3f(other[0], other[1], other[2]).cast<double>() - ray).norm(), 1e-4) << x << ", " << y;
+    for (const Eigen::Vector3f& other : {same.at(x, y), finer.at(3 * x + 1, 3 * y + 1)}) {
+      EXPECT_LT((other.cast<double>() - ray).norm(), 1e-4) << x << ", " << y;
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <thread>
 
@@ -11,10 +12,13 @@ namespace {
 /// 7 x 5 rays ahead, along z but for the tenth of a metre a metre from pixel to pixel; (3, 2) is the middle one.
 RayFan someRays() {
   RayFan fan;
-  fan.directions.create(5, 7, CV_32FC3);
-  fan.directions.forEach<cv::Vec3f>([](cv::Vec3f& ray, const int* at) {
-    ray = {0.1F * static_cast<float>(at[1] - 3), 0.1F * static_cast<float>(at[0] - 2), 1.0F};
-  });
+  fan.directions = {cv::Mat(5, 7, CV_32FC1), cv::Mat(5, 7, CV_32FC1)};
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 7; ++x) {
+      fan.directions.x.at<float>(y, x) = 0.1F * static_cast<float>(x - 3);
+      fan.directions.y.at<float>(y, x) = 0.1F * static_cast<float>(y - 2);
+    }
+  }
   fan.nearest_m = 0.2F;
   fan.farthest_m = 20.0F;
   return fan;
@@ -88,13 +92,17 @@ TEST(RayCasting, NoRaySlipsThroughWhereTrianglesMeet) {
   const Mesh sphere = ellipsoid({3, 3, 3}, 24, 48);
   const auto tree = caster.plant({pieceOf(sphere, 1)}, RayCaster::Use::Often);
   RayFan fan = someRays();
-  fan.directions.create(1, static_cast<int>(sphere.vertices.size()), CV_32FC3);
-  for (int i = 0; i < fan.directions.cols; ++i) {
+  const auto columns = static_cast<int>(sphere.vertices.size());
+  fan.directions = {cv::Mat(1, columns, CV_32FC1), cv::Mat(1, columns, CV_32FC1)};
+  for (int i = 0; i < columns; ++i) {
     const Vertex* corner = &sphere.vertices[static_cast<std::size_t>(i / 3 * 3)];
     const float share = i % 3 == 0 ? 0.0F : 0.37F * static_cast<float>(i % 3);
     const Eigen::Vector3f p = corner[0].p_m + share * (corner[1].p_m - corner[0].p_m);
-    fan.directions.at<cv::Vec3f>(0, i) = {p.x(), p.y(), p.z()};
+    const float ahead = std::max(p.z(), 0.1F);
+    fan.directions.x.at<float>(0, i) = p.x() / ahead;
+    fan.directions.y.at<float>(0, i) = p.y() / ahead;
   }
+  fan.nearest_m = 0.0F;
   EXPECT_EQ(pixelsOf(fan, {tree}).count(0), 0U);
 }
 
