@@ -52,8 +52,7 @@ TEST(DefaultRun, MakesTheMapOfADeterministicOne) {
   }
 }
 
-/// Not so yet: the plan is cut by heights over one level for the whole map, and threads leave to chance how much that
-/// is off far away; and where the graph lags behind, it gives up fewer keyframes.
+/// Not so yet: where the graph lags behind, tracking learns late of known places, and fewer keyframes are given up.
 TEST(DefaultRun, HasTheFloorOfADeterministicOne) {
   const Content wanted = contentOf(floorRun());
   const Content found = contentOf(floorRunWithThreads());
