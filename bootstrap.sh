@@ -15,7 +15,8 @@ readonly PACKAGES=(
   libsqlitecpp-dev libzstd-dev liboctomap-dev # the map file and its exports
   zlib1g-dev # rawlogs
   libcurl4-openssl-dev libssl-dev # wardslam models
-  libegl1 libegl-mesa0 libgl1-mesa-dri # rawlog-synth renders without a display
+  libembree-dev # rawlog-synth casts rays
+  libegl1 libegl-mesa0 libgl1-mesa-dri # pictures of a map without a display
   libopenni2-dev # the virtual camera of the tests
   mrpt-apps # rawlog-edit and rawlog-grabber, which the tests run
   dpkg-dev file # the Debian package

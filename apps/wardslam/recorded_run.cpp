@@ -3,9 +3,11 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 
@@ -106,6 +108,24 @@ void tellWhatWasLeftOut(const core::EventCounts& leftOut) {
   add("mapping.view_left_out", " images that are no keyframes came faster than they could be worked in");
   add("mapping.view_without_masks", " had no masks in time");
   if (!text.empty()) tellAtOnce("not everything is in the map: " + text);
+}
+
+/// Heights in the floor plan are over something.
+void tellOfFloor(const pipeline::SlamSystem& slam) {
+  constexpr double kTold_deg = 1.0;
+  const auto* builder = slam.mapBuilder();
+  if (builder == nullptr) return;
+  const mapping::FloorSeen floor = builder->floorSeen();
+  const double tilt_deg = floor.tilt_rad * 180.0 / M_PI;
+  if (floor.keyframes > 0 && floor.seen == 0) {
+    tellAtOnce("no image shows the floor: the floor plan takes it to be at z = 0 of the map frame");
+  } else if (tilt_deg >= kTold_deg) {
+    std::ostringstream text;
+    text << "the floor lies tilted by " << std::fixed << std::setprecision(1) << tilt_deg
+         << " degrees in the map frame (map_frame.start_pose?): the floor plan counts heights from the floor as it "
+            "was seen";
+    tellAtOnce(text.str());
+  }
 }
 
 /// The depth network saw nothing there, and nobody else says who moves by himself.
@@ -259,6 +279,7 @@ class Execution {
   void tellWhatIsNotInTheMap() const {
     tellOfPieces(slam_, run_.out, statistics_.frames());
     tellWhatWasLeftOut(slam_.leftOut());
+    tellOfFloor(slam_);
     tellWhatHadNoDepth(statistics_);
   }
 

@@ -116,6 +116,11 @@ core::EventCounts damageOf(const RunSummary& summary) {
   return damage;
 }
 
+nlohmann::ordered_json floorJson(const mapping::FloorSeen& floor) {
+  return {
+      {"keyframes", floor.keyframes}, {"seen", floor.seen}, {"tilt_deg", rounded(floor.tilt_rad * 180.0 / M_PI, 2)}};
+}
+
 nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json;
@@ -133,6 +138,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   if (summary.live != nullptr) json["live"] = toJson(*summary.live, statistics.frames());
   json["mask_age"] = maskAgeJson(statistics.maskAge());
   if (!summary.slam.zones().all().empty()) json["zones"] = zonesJson(summary.zones.stays());
+  if (summary.slam.mapBuilder() != nullptr) json["floor"] = floorJson(summary.slam.mapBuilder()->floorSeen());
   json["stages"] = stagesJson(summary.slam.profiler());
   json["fps"] = elapsed_s > 0 ? rounded(static_cast<double>(statistics.frames()) / elapsed_s, 2) : 0.0;
   json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);

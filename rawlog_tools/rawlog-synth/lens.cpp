@@ -13,15 +13,29 @@ namespace {
 constexpr double kWidest = 3.0;  ///< Length of a ray with z = 1: 70 degrees off the axis.
 constexpr int kMargin_px = 2;    ///< So that bilinear lookups at the rim have neighbours.
 
-/// The ideal pixel of every pixel of the camera, CV_32FC2.
-cv::Mat undistortedPixels(const core::CameraModel& camera) {
+/// The ideal pixels of those of an image of that size in which the camera sees the same, CV_32FC2.
+cv::Mat undistortedPixels(const core::CameraModel& camera, const cv::Size& size_px) {
+  const double columns = static_cast<double>(camera.width_px) / size_px.width;
+  const double rows = static_cast<double>(camera.height_px) / size_px.height;
   std::vector<cv::Point2f> raw_px;
-  raw_px.reserve(static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px));
-  for (int y = 0; y < camera.height_px; ++y) {
-    for (int x = 0; x < camera.width_px; ++x) raw_px.emplace_back(static_cast<float>(x), static_cast<float>(y));
+  raw_px.reserve(static_cast<std::size_t>(size_px.area()));
+  for (int y = 0; y < size_px.height; ++y) {
+    for (int x = 0; x < size_px.width; ++x) {
+      raw_px.emplace_back(static_cast<float>((x + 0.5) * columns - 0.5), static_cast<float>((y + 0.5) * rows - 0.5));
+    }
   }
-  const auto ideal_px = camera.undistort(raw_px);
-  return cv::Mat(ideal_px, true).reshape(2, camera.height_px);
+  return cv::Mat(camera.hasDistortion() ? camera.undistort(raw_px) : raw_px, true).reshape(2, size_px.height);
+}
+
+/// CV_64FC3
+cv::Mat raysThrough(const cv::Mat& pixels, const core::CameraModel& camera) {
+  cv::Mat rays(pixels.size(), CV_64FC3);
+  rays.forEach<cv::Vec3d>([&](cv::Vec3d& ray, const int* at) {
+    const auto& ideal = pixels.at<cv::Vec2f>(at[0], at[1]);
+    const Eigen::Vector3d p = camera.unproject(Eigen::Vector2d(ideal[0], ideal[1]), 1.0);
+    ray = {p.x(), p.y(), p.z()};
+  });
+  return rays;
 }
 
 /// Far outside of the images that a lens is made for its model folds back: then no ray leads to a pixel any more.
@@ -75,41 +89,18 @@ core::CameraModel withLens(core::CameraModel camera, Lens lens) {
   return camera;
 }
 
-LensView::LensView(const core::CameraModel& camera) : pinhole_(camera) {
+LensView::LensView(const core::CameraModel& camera) : camera_(camera), pinhole_(camera) {
+  const cv::Mat pixels = undistortedPixels(camera, {camera.width_px, camera.height_px});
+  rays_ = raysThrough(pixels, camera);
   if (!camera.hasDistortion()) return;
-  where_px_ = undistortedPixels(camera);
-  checkThatRaysExist(where_px_, camera);
-  pinhole_ = covering(where_px_, camera);
-  const cv::Scalar shift(pinhole_.cx_px - camera.cx_px, pinhole_.cy_px - camera.cy_px);
-  cv::add(where_px_, shift, where_px_);
+  checkThatRaysExist(pixels, camera);
+  pinhole_ = covering(pixels, camera);
 }
 
-cv::Mat LensView::colours(const cv::Mat& ofPinhole) const {
-  if (isIdeal()) return ofPinhole;
-  cv::Mat seen;
-  cv::remap(ofPinhole, seen, where_px_, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-  return seen;
-}
-
-cv::Mat LensView::nearest(const cv::Mat& ofPinhole) const {
-  if (isIdeal()) return ofPinhole;
-  cv::Mat seen(where_px_.size(), ofPinhole.type());
-  const std::size_t size = ofPinhole.elemSize();
-  const auto scale = static_cast<float>(ofPinhole.cols / pinhole_.width_px);
-  const auto nearestTo = [scale](float at_px) { return cvRound((at_px + 0.5F) * scale - 0.5F); };
-  for (int y = 0; y < seen.rows; ++y) {
-    const auto* where = where_px_.ptr<cv::Vec2f>(y);
-    for (int x = 0; x < seen.cols; ++x) {
-      std::copy_n(ofPinhole.ptr(nearestTo(where[x][1]), nearestTo(where[x][0])), size, seen.ptr(y, x));
-    }
-  }
-  return seen;
-}
-
-Eigen::Vector3d LensView::ray(int x_px, int y_px) const {
-  if (isIdeal()) return pinhole_.unproject(Eigen::Vector2d(x_px, y_px), 1.0);
-  const auto& where = where_px_.at<cv::Vec2f>(y_px, x_px);
-  return pinhole_.unproject(Eigen::Vector2d(where[0], where[1]), 1.0);
+cv::Mat LensView::rays(const cv::Size& size_px) const {
+  cv::Mat rays;
+  raysThrough(undistortedPixels(camera_, size_px), camera_).convertTo(rays, CV_32F);
+  return rays;
 }
 
 }  // namespace wardslam::synth

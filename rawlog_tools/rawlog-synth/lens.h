@@ -1,7 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <opencv2/core.hpp>
-#include <vector>
 
 #include "wardslam/core/camera_model.h"
 
@@ -14,8 +14,7 @@ enum class Lens { None, Kinect, Wide };
 
 [[nodiscard]] core::CameraModel withLens(core::CameraModel camera, Lens lens);
 
-/// How what a distorting lens shows is made from an ideal pinhole's view: every pixel is looked up where the inverse
-/// lens model says.
+/// Where the light of each pixel comes from, through the camera's lens.
 class LensView {
  public:
   /// Throws core::InputError where the lens model reaches no farther than a part of the image.
@@ -24,19 +23,19 @@ class LensView {
   /// A pinhole camera of the same focal length whose image holds all that the lens shows; without distortion the camera
   /// itself.
   [[nodiscard]] const core::CameraModel& pinhole() const { return pinhole_; }
-  [[nodiscard]] bool isIdeal() const { return where_px_.empty(); }
 
-  /// Images of the pinhole's size in, of the camera's out: colours bilinearly, anything else (depth, numbers) from the
-  /// nearest pixel; there the image may be a whole number of times larger, and so hold nearer ones.
-  [[nodiscard]] cv::Mat colours(const cv::Mat& ofPinhole) const;
-  [[nodiscard]] cv::Mat nearest(const cv::Mat& ofPinhole) const;
-
-  /// The ray of a pixel of the distorted image, camera frame, z = 1.
-  [[nodiscard]] Eigen::Vector3d ray(int x_px, int y_px) const;
+  /// The ray of a pixel, camera frame, z = 1.
+  [[nodiscard]] Eigen::Vector3d ray(int x_px, int y_px) const {
+    const auto& ray = rays_.at<cv::Vec3d>(y_px, x_px);
+    return {ray[0], ray[1], ray[2]};
+  }
+  /// Those of the pixels of an image of that size in which the same is seen, CV_32FC3.
+  [[nodiscard]] cv::Mat rays(const cv::Size& size_px) const;
 
  private:
+  core::CameraModel camera_;
   core::CameraModel pinhole_;
-  cv::Mat where_px_;  ///< CV_32FC2 of the camera's size: the pinhole's pixel; empty where nothing is distorted.
+  cv::Mat rays_;  ///< CV_64FC3
 };
 
 }  // namespace wardslam::synth

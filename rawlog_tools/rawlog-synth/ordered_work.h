@@ -20,10 +20,9 @@ class OrderedWork {
  public:
   using Maker = std::function<Item(std::size_t index)>;
 
-  /// Each thread makes its own maker, in itself, and gives it up when all have made their last item, one after another:
-  /// the end of one OpenGL context may be the end of all.
-  OrderedWork(std::size_t total, std::size_t threads, std::function<Maker()> newMaker)
-      : total_(total), count_(threads), ahead_(2 * threads), newMaker_(std::move(newMaker)) {
+  /// `make` is called by several threads at once.
+  OrderedWork(std::size_t total, std::size_t threads, Maker make)
+      : total_(total), ahead_(2 * threads), make_(std::move(make)) {
     for (std::size_t i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
   }
   /// What is not taken yet is dropped.
@@ -47,11 +46,9 @@ class OrderedWork {
 
  private:
   void work() {
-    Maker make;
     try {
-      make = newMaker_();
       while (const auto index = claim()) {
-        Item item = make(*index);
+        Item item = make_(*index);
         const std::lock_guard lock(mutex_);
         ready_.emplace(*index, std::move(item));
         changed_.notify_all();
@@ -61,11 +58,6 @@ class OrderedWork {
       if (!failure_) failure_ = std::current_exception();
       changed_.notify_all();
     }
-    std::unique_lock lock(mutex_);
-    ++finished_;
-    changed_.notify_all();
-    changed_.wait(lock, [this] { return finished_ == count_; });
-    make = nullptr;
   }
 
   std::optional<std::size_t> claim() {
@@ -82,15 +74,13 @@ class OrderedWork {
   }
 
   std::size_t total_;
-  std::size_t count_;  ///< Of threads.
   std::size_t ahead_;
-  std::function<Maker()> newMaker_;
+  Maker make_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::size_t, Item> ready_;
-  std::size_t next_ = 0;      ///< To be made.
-  std::size_t taken_ = 0;     ///< By the caller.
-  std::size_t finished_ = 0;  ///< Threads.
+  std::size_t next_ = 0;   ///< To be made.
+  std::size_t taken_ = 0;  ///< By the caller.
   std::exception_ptr failure_;
   bool isStopped_ = false;
   std::vector<std::thread> threads_;

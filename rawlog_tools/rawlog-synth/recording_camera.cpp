@@ -47,7 +47,7 @@ RecordingCamera::RecordingCamera(const Setting& setting, const SynthesisOptions&
     : setting_(setting), options_(options), model_(modelOf(options.camera)), renderer_(setting.scene, model_) {}
 
 /// The mean of what an eye beside the camera sees while the shutter is open.
-cv::Mat RecordingCamera::smeared(double t_s, const Eigen::Isometry3d& T_cam_eye) {
+cv::Mat RecordingCamera::smeared(double t_s, const Eigen::Isometry3d& T_cam_eye) const {
   const double exposure_s = options_.sensor.exposure.motionBlur_ms / 1000.0;
   const double opens_s = t_s - exposure_s / 2;
   const double motion_px =
@@ -90,7 +90,7 @@ cv::Mat RecordingCamera::measured(const Rendering& rendering, double coveredShar
   return depth_m;
 }
 
-SequenceFrame RecordingCamera::shoot(std::size_t index) {
+SequenceFrame RecordingCamera::shoot(std::size_t index) const {
   const SensorOptions& sensor = options_.sensor;
   const std::uint32_t seed = options_.place.scene.seed;
   const double t_s = timeOf(index, options_.camera.rate_hz);

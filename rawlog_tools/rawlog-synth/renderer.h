@@ -16,17 +16,17 @@ struct Rendering {
   cv::Mat instanceIds;  ///< CV_16UC1, Label::id.
 };
 
-/// Renders a scene without a display. Use each renderer in the thread that made it, and one renderer per thread.
+/// Renders a scene by casting rays, through the camera's lens, each along the very way that light takes there. Any
+/// number of threads may use one renderer at once.
 class Renderer {
  public:
-  /// Keeps a reference to the scene. A distorting lens is looked through (LensView). Throws core::InputError when the
-  /// machine offers no OpenGL.
+  /// Keeps a reference to the scene. Throws core::InputError where the lens cannot fill the image.
   Renderer(const Scene& scene, const core::CameraModel& camera);
   ~Renderer();
 
-  [[nodiscard]] Rendering render(double t_s, const Eigen::Isometry3d& T_world_cam);
+  [[nodiscard]] Rendering render(double t_s, const Eigen::Isometry3d& T_world_cam) const;
   /// Its colours alone.
-  [[nodiscard]] cv::Mat renderColor(double t_s, const Eigen::Isometry3d& T_world_cam);
+  [[nodiscard]] cv::Mat renderColor(double t_s, const Eigen::Isometry3d& T_world_cam) const;
 
  private:
   struct Impl;

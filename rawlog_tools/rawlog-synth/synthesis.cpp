@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <thread>
 #include <vector>
 
@@ -13,7 +12,6 @@
 #include "sequence_writer.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/mrpt_compat.h"
-#include "wardslam/core/mrpt_opengl_compat.h"
 
 namespace wardslam::synth {
 namespace {
@@ -58,12 +56,9 @@ std::size_t frameCount(double seconds, double rate_hz) {
   return static_cast<std::size_t>(std::max(1.0, std::round(seconds * rate_hz)));
 }
 
-/// Several threads share the pictures; a few are not worth the time it takes to set one up.
+/// Several threads share the pictures.
 std::size_t threadsFor(std::size_t frames) {
-  constexpr std::size_t kWorthwhile = 16;
-  if (!core::kDrawsTexturesInSeveralContexts) return 1;
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  return std::clamp<std::size_t>(frames / kWorthwhile, 1, cores);
+  return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, frames);
 }
 
 /// Wheels and inertial sensor, in order of time.
@@ -114,15 +109,12 @@ std::size_t synthesise(const SynthesisOptions& options, const std::function<bool
   SequenceWriter writer(
       options.output, {modelOf(options.camera), options.camera.stereoBaseline_m, statedMount(options.camera), rate_hz},
       allLabels(setting.scene));
-  const auto newMaker = [&]() -> OrderedWork<EncodedFrame>::Maker {
-    const auto camera = std::make_shared<RecordingCamera>(setting, options);
-    return [&, camera](std::size_t index) -> EncodedFrame {
-      const double t_s = timeOf(index, rate_hz);
-      if (lost[index]) return {kFirstStamp_s + t_s, setting.T_world_cam(t_s), {}, {}};
-      return writer.encode(camera->shoot(index));
-    };
-  };
-  OrderedWork<EncodedFrame> work(total, threadsFor(total), newMaker);
+  const RecordingCamera camera(setting, options);
+  OrderedWork<EncodedFrame> work(total, threadsFor(total), [&](std::size_t index) -> EncodedFrame {
+    const double t_s = timeOf(index, rate_hz);
+    if (lost[index]) return {kFirstStamp_s + t_s, setting.T_world_cam(t_s), {}, {}};
+    return writer.encode(camera.shoot(index));
+  });
   MotionRecorder motion(setting, options);
   std::size_t done = 0;
   while (done < total) {

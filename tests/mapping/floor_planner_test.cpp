@@ -2,8 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <opencv2/core.hpp>
+
+#include "free_fan.h"
+#include "mapping/scene.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/mapping/map_builder.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -34,61 +39,17 @@ cv::Mat lookAtWall() {
   return depth_m;
 }
 
-/// The end point of a fan in the direction of y / x, as x in the map.
-double reach_m(const std::vector<Eigen::Vector3f>& fan_cam_m, double slope) {
-  double nearest = 1e9;
-  double x_m = -1;
-  for (const auto& end_cam_m : fan_cam_m) {
-    const Eigen::Vector3d end = T_map_cam(0, 0) * end_cam_m.cast<double>();
-    const double miss = std::abs(end.y() / end.x() - slope);
-    if (miss < nearest) {
-      nearest = miss;
-      x_m = end.x();
-    }
-  }
-  return x_m;
-}
-
 unsigned char cellAt(const FloorPlan& plan, double x_m, double y_m) {
   const Eigen::Vector2d cell = ((Eigen::Vector2d(x_m, y_m) - plan.origin_m) / plan.resolution_m).array().floor();
   return plan.cells.at<unsigned char>(static_cast<int>(cell.y()), static_cast<int>(cell.x()));
-}
-
-TEST(FreeFan, ReachesToWhatIsInTheWay) {
-  const auto fan = freeFan(lookAtWall(), camera(), T_map_cam(0, 0), {});
-  EXPECT_NEAR(reach_m(fan, 0.0), kWall_m, 0.01);
-  EXPECT_NEAR(reach_m(fan, 0.375), 2.0, 0.01) << "the box";
-  EXPECT_NEAR(reach_m(fan, -0.375), kWall_m, 0.01);
-}
-
-TEST(FreeFan, EndsWhereTheOptionSays) {
-  FloorPlanOptions options;
-  options.max_range_m = 1.5;
-  EXPECT_NEAR(reach_m(freeFan(lookAtWall(), camera(), T_map_cam(0, 0), options), 0.0), 1.5, 0.01);
-}
-
-TEST(FreeFan, PassesUnderWhatIsHighAndOverWhatIsLow) {
-  FloorPlanOptions lowRobot;
-  lowRobot.min_height_m = 0.5;
-  lowRobot.max_height_m = 0.9;
-  const auto fan = freeFan(lookAtWall(), camera(), T_map_cam(0, 0), lowRobot);
-  EXPECT_NEAR(reach_m(fan, 0.375), kWall_m, 0.01) << "over the box";
-}
-
-TEST(FreeFan, SaysNothingWhereNothingWasMeasured) {
-  cv::Mat depth_m = lookAtWall();
-  depth_m.colRange(300, 340) = 0.0;
-  const auto fan = freeFan(depth_m, camera(), T_map_cam(0, 0), {});
-  EXPECT_GT(std::abs(reach_m(fan, 0.0)), 0.0);
-  for (const auto& end : fan) EXPECT_GT(std::abs(end.x() / end.z()), 0.02F);
-  EXPECT_TRUE(freeFan(cv::Mat::zeros(480, 640, CV_32FC1), camera(), T_map_cam(0, 0), {}).empty());
 }
 
 class FloorPlanTest : public ::testing::Test {
  protected:
   FloorPlanTest() {
     map_.keyframes[1].T_map_cam = T_map_cam(0, 0);
-    map_.keyframes[1].freeFan_cam_m = freeFan(lookAtWall(), camera(), T_map_cam(0, 0), {});
+    map_.keyframes[1].freeFan_cam_m =
+        freeFan(lookAtWall(), camera(), {core::GroundPlane::atZero(T_map_cam(0, 0)), false}, {});
   }
   void addColumn(double x_m, double y_m, double fromHeight_m, double toHeight_m) {
     for (double z_m = fromHeight_m; z_m < toHeight_m; z_m += 0.02) {
@@ -141,6 +102,143 @@ TEST_F(FloorPlanTest, OfNothingIsEmptyAndOfTheWorldIsRefused) {
   map_.keyframes[2].T_map_cam = T_map_cam(1e5, 1e5);
   EXPECT_THAT([&] { static_cast<void>(drawFloorPlan(map_, {})); },
               ::testing::ThrowsMessage<core::InputError>(::testing::HasSubstr("floor_plan.resolution_m")));
+}
+
+// The floor plan of a corridor that is driven along, however the map leans and the camera is held.
+
+constexpr double kDeg = M_PI / 180.0;
+constexpr double kDriven_m = 1.1;
+constexpr double kStep_m = 1.0;
+
+scene::Thing slab(const Eigen::Vector3d& min_m, const Eigen::Vector3d& max_m) { return {{min_m, max_m}, 0, 0, {}}; }
+
+/// 24 m long, 2.4 m wide, with two boxes; not a metre of it is without a wall or a floor.
+std::vector<scene::Thing> corridor() {
+  return {slab({-1, -1.22, -0.1}, {24, 1.22, 0.0}), slab({-1, 1.22, -0.1}, {24, 1.3, 2.5}),
+          slab({-1, -1.3, -0.1}, {24, -1.22, 2.5}), slab({24, -1.2, -0.1}, {24.1, 1.2, 2.5}),
+          slab({6, 0.6, 0.0}, {6.6, 1.2, 0.5}),     slab({18, -1.2, 0.0}, {18.5, -0.5, 0.5})};
+}
+
+struct Areas {
+  SemanticMap map;
+  double free_m2 = 0.0;
+  double floorToldOccupied_m2 = 0.0;
+  std::size_t groundsSeen = 0;
+  std::size_t keyframes = 0;
+};
+
+/// Of the floor that is truly free, and not beside a wall or a box.
+double floorToldOccupied_m2(const FloorPlan& plan, const Eigen::Isometry3d& T_map_true) {
+  const Eigen::AlignedBox2d floor(Eigen::Vector2d(1.0, -1.0), Eigen::Vector2d(23.5, 1.0));
+  int wrong = 0;
+  for (int row = 0; row < plan.cells.rows; ++row) {
+    for (int column = 0; column < plan.cells.cols; ++column) {
+      if (plan.cells.at<unsigned char>(row, column) != FloorPlan::kOccupied) continue;
+      Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+      centre_m.head<2>() = plan.origin_m + plan.resolution_m * Eigen::Vector2d(column + 0.5, row + 0.5);
+      const Eigen::Vector2d p_true_m = (T_map_true.inverse() * centre_m).head<2>();
+      const bool isBox = (p_true_m.x() > 5.8 && p_true_m.x() < 6.8 && p_true_m.y() > 0.4) ||
+                         (p_true_m.x() > 17.8 && p_true_m.x() < 18.7 && p_true_m.y() < -0.3);
+      if (floor.contains(p_true_m) && !isBox) ++wrong;
+    }
+  }
+  return wrong * plan.resolution_m * plan.resolution_m;
+}
+
+/// `T_map_true`: how the map lies to the truth, which is level. `R_held`: the camera in its mount.
+Areas drive(const Eigen::Isometry3d& T_map_true, const Eigen::Matrix3d& R_held = Eigen::Matrix3d::Identity()) {
+  MappingOptions options;
+  options.cloud.min_sightings = 1;
+  MapBuilder builder(options, MapSetting{});
+  std::uint64_t id = 0;
+  for (double x_m = 0.0; x_m <= 20.0; x_m += kStep_m) {
+    odometry::Keyframe keyframe;
+    keyframe.id = ++id;
+    Eigen::Isometry3d T_true_cam = scene::cameraAt({x_m, 0, kDriven_m});
+    T_true_cam.linear() = T_true_cam.linear() * R_held;
+    keyframe.T_map_cam = T_map_true * T_true_cam;
+    Eigen::Isometry3d T_true_previous = T_true_cam;
+    T_true_previous.translation().x() -= kStep_m;
+    keyframe.T_previous_cam = T_true_previous.inverse() * T_true_cam;
+    builder.addKeyframe(keyframe);
+    View view = scene::render(corridor(), T_true_cam, x_m, id, T_true_cam);
+    view.isKeyframe = true;
+    view.segmentation = {};
+    builder.add(view);
+  }
+  const SemanticMap map = builder.map();
+  const double cell_m2 = map.floorPlan.resolution_m * map.floorPlan.resolution_m;
+  Areas areas;
+  areas.free_m2 = cell_m2 * cv::countNonZero(map.floorPlan.cells == FloorPlan::kFree);
+  areas.floorToldOccupied_m2 = floorToldOccupied_m2(map.floorPlan, T_map_true);
+  areas.keyframes = map.keyframes.size();
+  areas.map = map;
+  for (const auto& [keyframe, content] : map.keyframes) areas.groundsSeen += content.ground ? 1U : 0U;
+  return areas;
+}
+
+/// About the first camera.
+Eigen::Isometry3d tilted(double angle_deg, const Eigen::Vector3d& axis) {
+  const Eigen::Translation3d first(0, 0, kDriven_m);
+  return first * Eigen::AngleAxisd(angle_deg * kDeg, axis) * first.inverse();
+}
+
+/// Turned about the optical axis (z), or up and down (x).
+Eigen::Matrix3d held(double angle_deg, const Eigen::Vector3d& axis_cam) {
+  return Eigen::AngleAxisd(angle_deg * kDeg, axis_cam).toRotationMatrix();
+}
+
+void expectSamePlan(const Areas& areas, const Areas& level) {
+  EXPECT_NEAR(areas.free_m2, level.free_m2, 0.03 * level.free_m2);
+  EXPECT_EQ(areas.floorToldOccupied_m2, 0.0);
+  EXPECT_EQ(areas.groundsSeen, areas.keyframes);
+}
+
+class GroundOfMap : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { level_ = drive(Eigen::Isometry3d::Identity()); }
+  static Areas level_;
+};
+Areas GroundOfMap::level_;
+
+TEST_F(GroundOfMap, IsFreeUpToTheWalls) {
+  EXPECT_GT(level_.free_m2, 35.0) << "of 2.4 m by 18 m and more";
+  EXPECT_LT(level_.free_m2, 2.4 * 24);
+  EXPECT_EQ(level_.groundsSeen, level_.keyframes);
+}
+
+TEST_F(GroundOfMap, HasTheSamePlanWhereTheStartWasTilted) {
+  expectSamePlan(drive(tilted(1.0, Eigen::Vector3d::UnitY())), level_);
+  expectSamePlan(drive(tilted(-1.0, Eigen::Vector3d::UnitY())), level_);
+  expectSamePlan(drive(tilted(1.0, Eigen::Vector3d::UnitX())), level_);
+  expectSamePlan(drive(tilted(5.0, Eigen::Vector3d::UnitY())), level_);
+}
+
+/// What a floor at z = 0 makes of it.
+TEST_F(GroundOfMap, IsWhatKeepsThePlanSo) {
+  const auto T_map_true = tilted(-1.0, Eigen::Vector3d::UnitY());
+  SemanticMap map = drive(T_map_true).map;
+  for (auto& [id, keyframe] : map.keyframes) keyframe.ground.reset();
+  EXPECT_GT(floorToldOccupied_m2(drawFloorPlan(map, {}), T_map_true), 0.5);
+}
+
+TEST_F(GroundOfMap, HasTheSamePlanWhereTheStartWasTooHigh) {
+  expectSamePlan(drive(Eigen::Isometry3d(Eigen::Translation3d(0, 0, 0.7))), level_);
+}
+
+/// The camera lies on its side. The image is narrower.
+TEST_F(GroundOfMap, IsFoundByACameraOnItsSide) {
+  const Eigen::Matrix3d onItsSide = held(90.0, Eigen::Vector3d::UnitZ());
+  const Areas upright = drive(Eigen::Isometry3d::Identity(), onItsSide);
+  const Areas leaning = drive(tilted(1.0, Eigen::Vector3d::UnitY()), onItsSide);
+  EXPECT_GT(upright.free_m2, 0.65 * level_.free_m2) << "it sees less to the sides";
+  expectSamePlan(leaning, upright);
+}
+
+TEST_F(GroundOfMap, IsFoundByACameraThatLooksDown) {
+  const Areas down = drive(tilted(1.0, Eigen::Vector3d::UnitY()), held(-25.0, Eigen::Vector3d::UnitX()));
+  EXPECT_GT(down.free_m2, 0.8 * level_.free_m2);
+  EXPECT_EQ(down.groundsSeen, down.keyframes);
 }
 
 }  // namespace

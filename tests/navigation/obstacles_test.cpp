@@ -135,6 +135,36 @@ TEST_F(ObstaclesOfAFrame, WithoutAPoseLieBeforeTheRobotWhereverItIs) {
   EXPECT_TRUE(holds(obstacles.sense(robotAt(0.0, 0.0, 0.0)), {2.0F, 0.0F, 1.0F})) << "in the map again";
 }
 
+/// A map that leans by 3 degrees has floor 4 m away at z = 0.21 m: no obstacle. A wall there is one.
+TEST_F(ObstaclesOfAFrame, AreNotTheFloorOfAMapThatLeans) {
+  constexpr double kWall_m = 4.0;
+  frame_.camera = {};
+  frame_.camera.width_px = 160;
+  frame_.camera.height_px = 120;
+  frame_.camera.fx_px = frame_.camera.fy_px = 120.0;
+  frame_.camera.cx_px = 79.5;
+  frame_.camera.cy_px = 59.5;
+  frame_.depth_m = cv::Mat(120, 160, CV_32FC1, cv::Scalar(0));
+  const Eigen::Isometry3d T_true_cam =
+      Eigen::Translation3d(0.0, 0.0, 1.0) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY()) * core::T_sensor_cam();
+  frame_.depth_m.forEach<float>([&](float& depth_m, const int* at) {
+    const Eigen::Vector3d ray = T_true_cam.linear() * frame_.camera.unproject({at[1], at[0]}, 1.0);
+    const double wall = kWall_m / ray.x();
+    depth_m = static_cast<float>(ray.z() < 0 ? std::min(wall, -1.0 / ray.z()) : wall);
+  });
+  const Eigen::Isometry3d T_map_true(Eigen::AngleAxisd(-3.0 * M_PI / 180.0, Eigen::Vector3d::UnitY()));
+  odometry_.T_map_cam = T_map_true * T_true_cam;
+  odometry_.keyframe = std::make_shared<odometry::Keyframe>();
+  options_.max_depth_m = 10.0;
+  const auto sensed = sense();
+  ASSERT_FALSE(sensed.p_base_m.empty());
+  for (const auto& p_map_m : sensed.p_base_m) {
+    const Eigen::Vector3d p_true_m = T_map_true.inverse() * p_map_m.cast<double>();
+    EXPECT_NEAR(p_true_m.x(), kWall_m, 0.01);
+    EXPECT_GT(p_true_m.z(), options_.min_height_m - 0.01);
+  }
+}
+
 TEST(Obstacles, FillWhatMrptsNavigatorsAskFor) {
   mrpt::maps::CSimplePointsMap points;
   points.insertPoint(7, 7, 7);

@@ -59,6 +59,11 @@ TEST_F(MapFileTest, GivesBackTheSemanticMap) {
     EXPECT_EQ(read.keyframes.at(id).stamp_s, keyframe.stamp_s);
     EXPECT_EQ(read.keyframes.at(id).zone, keyframe.zone);
     EXPECT_EQ(read.keyframes.at(id).freeFan_cam_m, keyframe.freeFan_cam_m);
+    ASSERT_EQ(read.keyframes.at(id).ground.has_value(), keyframe.ground.has_value());
+    if (!keyframe.ground) continue;
+    EXPECT_EQ(read.keyframes.at(id).ground->normal_cam, keyframe.ground->normal_cam);
+    EXPECT_EQ(read.keyframes.at(id).ground->height_m, keyframe.ground->height_m);
+    EXPECT_EQ(read.keyframes.at(id).ground->covariance, keyframe.ground->covariance);
     EXPECT_TRUE(read.keyframes.at(id).T_map_cam.isApprox(keyframe.T_map_cam, 1e-12));
   }
   ASSERT_EQ(read.objects.size(), ward_.objects.size());
@@ -114,7 +119,7 @@ TEST_F(MapFileTest, GivesBackLoopsLabelsAndOptions) {
 TEST_F(MapFileTest, TellsHowMuchItHolds) {
   writeWard();
   const auto info = MapFile::open(path_).info();
-  EXPECT_EQ(info.schemaVersion, 2);
+  EXPECT_EQ(info.schemaVersion, 3);
   EXPECT_EQ(info.pieces, 1U);
   EXPECT_EQ(info.keyframesElsewhere, 0U);
   EXPECT_EQ(info.size_bytes, fs::file_size(path_));

@@ -68,6 +68,9 @@ inline mapping::SemanticMap makeWard() {
                          Eigen::AngleAxisd(0.1 * static_cast<double>(id), Eigen::Vector3d(1, 2, 3).normalized());
     keyframe.zone = "clean zone";
     keyframe.freeFan_cam_m = {{-1.0F, 0.0F, 3.0F}, {1.0F, 0.5F, 2.0F + static_cast<float>(id)}};
+    keyframe.ground = core::GroundPlane::atZero(keyframe.T_map_cam);
+    keyframe.ground->covariance << 1e-4, 2e-5, 3e-5, 2e-5, 4e-4, 5e-5, 3e-5, 5e-5, 9e-4;
+    if (id == 3) keyframe.ground.reset();  // not in sight
     auto& points = map.cloud[id].points;
     for (int i = 0; i < 50; ++i) {
       mapping::SemanticPoint point;

@@ -38,6 +38,13 @@ std::size_t ByteReader::getCount(std::size_t recordSize) {
   return count;
 }
 
+std::size_t ByteReader::getCountOfAtLeast(std::size_t smallestRecord) {
+  const std::size_t count = get<std::uint32_t>();
+  if (count > left() / smallestRecord)
+    throw BlobError("it ends before the last of " + std::to_string(count) + " records");
+  return count;
+}
+
 Bytes pack(BlobKind kind, std::uint8_t version, const Bytes& content, int level) {
   if (content.size() > kLargestContent) throw BlobError("it is too large: nobody could read it");
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "free_fan.h"
+#include "known_ground.h"
 #include "map_part.h"
 #include "recognition.h"
 #include "same_things.h"
@@ -37,6 +39,7 @@ class MapBuilder::Impl {
   SemanticMap map(const MapParts& parts);
   [[nodiscard]] MapMemory memory(const std::set<KeyframeId>& tiles) const;
   MapParts takeChanges();
+  [[nodiscard]] FloorSeen floorSeen() const { return floorSeenBy(keyframes_, pieces_.map()); }
 
  private:
   Part& part(std::uint32_t piece) { return parts_.try_emplace(piece, options_).first->second; }
@@ -76,7 +79,7 @@ void MapBuilder::Impl::restore(const SemanticMap& earlier, const MapMemory& memo
   pieces_ = odometry::Pieces(earlier.piece);
   toldAsMap_ = earlier.piece;
   for (const auto& [id, keyframe] : earlier.keyframes) {
-    keyframes_[id] = {keyframe.piece, keyframe.stamp_s, keyframe.T_map_cam, keyframe.freeFan_cam_m};
+    keyframes_[id] = {keyframe.piece, keyframe.stamp_s, keyframe.T_map_cam, keyframe.freeFan_cam_m, keyframe.ground};
     pieces_.add(id, keyframe.piece);
     if (zoneAt(keyframe.piece, keyframe.T_map_cam.translation()) != keyframe.zone) changes_.keyframes.insert(id);
     restoreTile(id, earlier, memory);
@@ -120,7 +123,7 @@ void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
   const std::uint32_t piece = pieces_.pieceOf(keyframe.submap);
   pieces_.add(keyframe.id, keyframe.submap);
   const Eigen::Isometry3d T_map_cam = placeOf(keyframe, piece);
-  keyframes_[keyframe.id] = {piece, keyframe.stamp_s, T_map_cam, {}};
+  keyframes_[keyframe.id] = {piece, keyframe.stamp_s, T_map_cam, {}, {}};
   part(piece).cloud.addTile(keyframe.id, T_map_cam);
   changes_.keyframes.insert(keyframe.id);
 }
@@ -205,8 +208,8 @@ void MapBuilder::Impl::add(const View& view) {
   if (keyframe == keyframes_.end()) return;
   Part& part = this->part(keyframe->second.piece);
   if (view.isKeyframe) {
-    keyframe->second.freeFan_cam_m =
-        freeFan(view.depth_m, view.camera, keyframe->second.T_map_cam, options_.floor_plan);
+    const StandingGround ground = lookAtGround(view, keyframes_, keyframe->second);
+    keyframe->second.freeFan_cam_m = freeFan(view.depth_m, view.camera, ground, options_.floor_plan);
   }
   const Eigen::Isometry3d T_map_cam = keyframe->second.T_map_cam * view.T_keyframe_cam;
   const auto cell_m = static_cast<float>(options_.cloud.voxel_m);
@@ -355,7 +358,8 @@ SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
     if (entry == keyframes_.end()) continue;
     const PlacedKeyframe& keyframe = entry->second;
     const std::string zone = zoneAt(keyframe.piece, keyframe.T_map_cam.translation());
-    map.keyframes[id] = {keyframe.stamp_s, keyframe.T_map_cam, zone, keyframe.piece, keyframe.freeFan_cam_m};
+    map.keyframes[id] = {keyframe.stamp_s, keyframe.T_map_cam,     zone,
+                         keyframe.piece,   keyframe.freeFan_cam_m, keyframe.ground};
   }
   for (const KeyframeId id : parts.tiles) {
     const auto keyframe = keyframes_.find(id);
@@ -427,6 +431,7 @@ void MapBuilder::apply(const odometry::MapUpdate& update) { impl_->apply(update)
 void MapBuilder::add(const View& view) { impl_->add(view); }
 SemanticMap MapBuilder::map() { return impl_->map(); }
 SemanticMap MapBuilder::map(const MapParts& parts) { return impl_->map(parts); }
+FloorSeen MapBuilder::floorSeen() const { return impl_->floorSeen(); }
 MapMemory MapBuilder::memory(const std::set<odometry::KeyframeId>& tiles) const { return impl_->memory(tiles); }
 MapParts MapBuilder::takeChanges() { return impl_->takeChanges(); }
 

@@ -2,12 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "object_database.h"
 #include "object_table.h"
 #include "semantic_cloud.h"
+#include "wardslam/core/ground_plane.h"
 #include "wardslam/mapping/mapping_options.h"
 
 namespace wardslam::mapping {
@@ -27,6 +29,7 @@ struct PlacedKeyframe {
   double stamp_s = 0.0;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Vector3f> freeFan_cam_m;
+  std::optional<core::GroundPlane> ground;
 };
 
 }  // namespace wardslam::mapping

@@ -1,7 +1,7 @@
 #include "object_table.h"
 
 #include "object_shape.h"
-#include "semantic_color.h"
+#include "wardslam/mapping/semantic_color.h"
 
 namespace wardslam::mapping {
 namespace {

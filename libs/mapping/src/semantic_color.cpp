@@ -1,4 +1,4 @@
-#include "semantic_color.h"
+#include "wardslam/mapping/semantic_color.h"
 
 namespace wardslam::mapping {
 

@@ -1,12 +1,10 @@
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
 
-#include <mrpt/serialization/CArchive.h>
-
-#include <algorithm>
 #include <array>
 #include <ostream>
 #include <stdexcept>
 
+#include "archive_bytes.h"
 #include "semantic_content.h"
 #include "semantic_view.h"
 #include "wardslam/features/semantic_descriptor.h"
@@ -25,36 +23,13 @@ std::runtime_error damaged(const std::string& what) {
   return std::runtime_error("CObservationSemanticRGBD: the rawlog is damaged here: " + what);
 }
 
-/// `size` bytes; takes no more memory than there is to read, whatever a damaged size says.
-core::Bytes readBytes(mrpt::serialization::CArchive& in, std::size_t size) {
-  constexpr std::size_t kStep = 1U << 20U;
-  if (size > kMostContent_bytes) throw damaged("it should hold " + std::to_string(size) + " bytes");
-  core::Bytes bytes;
-  while (bytes.size() < size) {
-    const std::size_t begin = bytes.size();
-    const std::size_t step = std::min(kStep, size - begin);
-    bytes.resize(begin + step);
-    if (in.ReadBuffer(bytes.data() + begin, step) != step) throw damaged("it ends in the middle of the observation");
-  }
-  return bytes;
-}
-
-std::string readLabel(mrpt::serialization::CArchive& in) {
-  const std::size_t size = in.ReadAs<std::uint32_t>();
-  if (size > kMostLabel_bytes) throw damaged("the sensor label has " + std::to_string(size) + " letters");
-  const core::Bytes bytes = readBytes(in, size);
-  return {bytes.begin(), bytes.end()};
-}
-
 }  // namespace
 
 std::uint8_t CObservationSemanticRGBD::serializeGetVersion() const { return kVersion; }
 
 void CObservationSemanticRGBD::serializeTo(mrpt::serialization::CArchive& out) const {
-  const core::Bytes content = encodeContent(*this);
   out << sensorLabel.substr(0, kMostLabel_bytes) << timestamp;
-  out.WriteAs<std::uint32_t>(content.size());
-  out.WriteBuffer(content.data(), content.size());
+  writeBytes(out, encodeContent(*this));
 }
 
 void CObservationSemanticRGBD::serializeFrom(mrpt::serialization::CArchive& in, std::uint8_t version) {
@@ -63,11 +38,10 @@ void CObservationSemanticRGBD::serializeFrom(mrpt::serialization::CArchive& in, 
                              std::to_string(version) + " of its format; this one reads up to version " +
                              std::to_string(kVersion) + ": update it");
   }
-  sensorLabel = readLabel(in);
-  in >> timestamp;
-  const core::Bytes content = readBytes(in, in.ReadAs<std::uint32_t>());
   try {
-    decodeContent(content, *this);
+    sensorLabel = readText(in, kMostLabel_bytes);
+    in >> timestamp;
+    decodeContent(readBytes(in, in.ReadAs<std::uint32_t>(), kMostContent_bytes), *this);
   } catch (const core::BlobError& error) {
     throw damaged(error.what());
   }

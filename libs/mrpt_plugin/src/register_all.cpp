@@ -6,12 +6,14 @@
 #include "wardslam/filters/register_filters.h"
 #include "wardslam/mrpt_plugin/observation_annotator.h"
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
+#include "wardslam/mrpt_plugin/semantic_metric_map.h"
 
 namespace wardslam::mrpt_plugin {
 
 void registerAll() {
   mrpt::rtti::registerClass(CLASS_ID(CObservationSemanticRGBD));
   mrpt::rtti::registerClass(CLASS_ID(ObservationAnnotator));
+  mrpt::rtti::registerClass(CLASS_ID(CSemanticMap));
   CSemanticRGBDSensor::doRegister();
   filters::registerAllFilters();
 }

@@ -60,14 +60,6 @@ template <class Record>
   return record;
 }
 
-/// The smallest that a record can take bounds what a wrong count can make us allocate.
-[[nodiscard]] std::size_t getCount(ByteReader& in, std::size_t smallestRecord) {
-  const std::size_t count = in.get<std::uint32_t>();
-  if (count > in.left() / smallestRecord)
-    throw BlobError("it ends before the last of " + std::to_string(count) + " records");
-  return count;
-}
-
 void putPose(ByteWriter& out, const mrpt::poses::CPose3D& pose) {
   const Eigen::Matrix4d T = core::fromMrpt(pose).matrix();
   for (Eigen::Index i = 0; i < 12; ++i) out.put(T(i / 4, i % 4));
@@ -110,7 +102,7 @@ void putClasses(ByteWriter& out, const std::map<core::ClassId, std::string>& cla
 
 [[nodiscard]] std::map<core::ClassId, std::string> getClasses(ByteReader& in) {
   std::map<core::ClassId, std::string> classes;
-  for (std::size_t left = getCount(in, 2); left > 0; --left) {
+  for (std::size_t left = in.getCountOfAtLeast(2); left > 0; --left) {
     const auto id = in.get<core::ClassId>();
     std::string name(in.get<std::uint8_t>(), '\0');
     in.getBytes(name.data(), name.size());
@@ -129,7 +121,7 @@ void putFeatures(ByteWriter& out, const CObservationSemanticRGBD& observation) {
 
 void getFeatures(ByteReader& in, CObservationSemanticRGBD& observation) {
   auto& [keypoints, descriptors, semanticDescriptors] = observation.features;
-  keypoints.resize(getCount(in, kOrbBytes));
+  keypoints.resize(in.getCountOfAtLeast(kOrbBytes));
   for (Keypoint& keypoint : keypoints) keypoint = get<Keypoint>(in);
   observation.states.resize(keypoints.size());
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
@@ -195,7 +187,7 @@ void decodeContent(const core::Bytes& blob, CObservationSemanticRGBD& observatio
   observation.segmentation.instanceIds = getImage(in, CV_16UC1);
   observation.labelBits = getImage(in, CV_8UC1);
   observation.segmentation.instances.clear();
-  for (std::size_t left = getCount(in, sizeof(float)); left > 0; --left) {
+  for (std::size_t left = in.getCountOfAtLeast(sizeof(float)); left > 0; --left) {
     observation.segmentation.instances.push_back(get<Instance>(in));
   }
   observation.classes = getClasses(in);

@@ -7,6 +7,7 @@
 
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/mapping/depth_points.h"
+#include "wardslam/mapping/floor_finder.h"
 
 namespace wardslam::navigation {
 namespace {
@@ -36,16 +37,17 @@ std::vector<Eigen::Vector3f> outlineOf(const mapping::FloorPlan& plan) {
   return points_m;
 }
 
-/// What a frame shows between the heights, in a frame with the floor at z = 0 ("to").
+/// What a frame shows between the heights over the ground, in a frame "to"; so is the ground.
 std::vector<Eigen::Vector3f> pointsOf(const core::Frame& frame, const Eigen::Isometry3d& T_to_cam,
-                                      const ObstacleOptions& options) {
+                                      const core::GroundPlane& ground, const ObstacleOptions& options) {
   std::vector<Eigen::Vector3f> points_m;
   for (const auto& point : mapping::depthPoints(frame.depth_m, frame.camera, options.pixel_step)) {
     if (point.p_cam_m.z() > options.max_depth_m) continue;
     const bool mayMove = !frame.mayMove.empty() && frame.mayMove.at<std::uint8_t>(point.raw_px) != 0;
     if (options.only_moving && !mayMove) continue;
     const Eigen::Vector3d p_to_m = T_to_cam * point.p_cam_m;
-    if (p_to_m.z() < options.min_height_m || p_to_m.z() > options.max_height_m) continue;
+    const double height_m = ground.heightOf_m(p_to_m);
+    if (height_m < options.min_height_m || height_m > options.max_height_m) continue;
     points_m.push_back(p_to_m.cast<float>());
   }
   return points_m;
@@ -57,12 +59,25 @@ Obstacles::Obstacles(const mapping::FloorPlan& plan, const ObstacleOptions& opti
     : options_(options), standing_map_m_(outlineOf(plan)) {}
 
 void Obstacles::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
-  if (odometry.hasPose()) return see(pointsOf(frame, odometry.T_map_cam, options_), frame.stamp_s);
-  auto p_base_m = pointsOf(frame, frame.T_base_cam, options_);
+  const core::GroundPlane zero = core::GroundPlane::atZero(Eigen::Isometry3d::Identity());
+  if (odometry.hasPose()) {
+    if (odometry.keyframe) lookAtGround(frame, odometry.T_map_cam);
+    return see(pointsOf(frame, odometry.T_map_cam, ground_map_.value_or(zero), options_), frame.stamp_s);
+  }
+  auto p_base_m = pointsOf(frame, frame.T_base_cam, zero, options_);
   const std::lock_guard lock(mutex_);
   seen_map_m_.clear();
   seen_base_m_ = std::move(p_base_m);
   stamp_s_ = frame.stamp_s;
+}
+
+/// Up is as before; at first as the map frame has it.
+void Obstacles::lookAtGround(const core::Frame& frame, const Eigen::Isometry3d& T_map_cam) {
+  const Eigen::Vector3d up_map = ground_map_ ? ground_map_->normal_cam : Eigen::Vector3d::UnitZ();
+  mapping::GroundExpectation expected;
+  expected.up_cam = T_map_cam.linear().transpose() * up_map;
+  const auto ground = mapping::findGround(frame.depth_m, frame.camera, expected);
+  if (ground) ground_map_ = ground->seenFrom(T_map_cam);
 }
 
 void Obstacles::see(std::vector<Eigen::Vector3f> p_map_m, double stamp_s) {

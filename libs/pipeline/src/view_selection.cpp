@@ -1,6 +1,6 @@
 #include "view_selection.h"
 
-#include <Eigen/Geometry>
+#include "wardslam/mapping/view_spacing.h"
 
 namespace wardslam::pipeline {
 namespace {
@@ -34,10 +34,7 @@ std::optional<mapping::View> ViewSelection::select(const core::Frame& frame, con
 bool ViewSelection::showsSomethingNew(const core::Frame& frame, const odometry::OdometryResult& odometry) const {
   if (!odometry.hasPose()) return false;
   if (odometry.keyframe || !last_) return true;
-  const Eigen::Isometry3d step = last_->T_map_cam.inverse() * odometry.T_map_cam;
-  return step.translation().norm() >= options_.step_m ||
-         Eigen::AngleAxisd(step.linear()).angle() >= options_.turn_rad ||
-         frame.stamp_s - last_->stamp_s >= options_.gap_s;
+  return mapping::isFarEnough(options_, *last_, {frame.stamp_s, odometry.T_map_cam});
 }
 
 }  // namespace wardslam::pipeline

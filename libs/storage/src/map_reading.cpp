@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <cmath>
 #include <functional>
 #include <iterator>
 
@@ -17,6 +18,7 @@ constexpr double kLongestFocus_px = 1e6;
 constexpr double kStrongestLens = 1e4;
 constexpr double kFinestPlan_m = 1e-3;
 constexpr double kCoarsestPlan_m = 100.0;
+constexpr double kFarthestGround_m = 1e4;
 
 /// Hands every row to `take`; trouble with a row is told with `what` it is and its first column.
 template <class Take>
@@ -74,6 +76,28 @@ void readFreeFans(SQLite::Database& database, mapping::SemanticMap& map) {
     if (found == map.keyframes.end()) throw core::BlobError("that keyframe is missing");
     found->second.freeFan_cam_m = decodeFan(blob);
   });
+}
+
+void readGrounds(SQLite::Database& database, mapping::SemanticMap& map) {
+  forEachRow(database, "ground of keyframe",
+             "SELECT keyframe, normal_x, normal_y, normal_z, height_m, variance_1, variance_2, variance_height_m2, "
+             "covariance_12, covariance_1_height_m, covariance_2_height_m FROM grounds",
+             [&map](ColumnReader row) {
+               odometry::KeyframeId keyframe = 0;
+               core::GroundPlane ground;
+               Eigen::Matrix3d& c = ground.covariance;
+               row >> keyframe >> ground.normal_cam >> within(ground.height_m, -kFarthestGround_m, kFarthestGround_m);
+               for (const int i : {0, 1, 2}) row >> within(c(i, i), 0.0, kFarthestGround_m);
+               for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+                 row >> within(c(i, j), -kFarthestGround_m, kFarthestGround_m);
+                 c(j, i) = c(i, j);
+               }
+               if (std::abs(ground.normal_cam.norm() - 1.0) > 1e-6)
+                 throw core::BlobError("its normal has no direction");
+               const auto found = map.keyframes.find(keyframe);
+               if (found == map.keyframes.end()) throw core::BlobError("that keyframe is missing");
+               found->second.ground = ground;
+             });
 }
 
 void readCloud(SQLite::Database& database, mapping::SemanticMap& map) {
@@ -321,6 +345,7 @@ mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud, PieceP
   map.labels = readHeader(database).labels;
   readKeyframes(database, map);
   readFreeFans(database, map);
+  readGrounds(database, map);
   if (cloud == CloudPart::Include) readCloud(database, map);
   readObjects(database, map);
   readHints(database, map);

@@ -92,8 +92,17 @@ CREATE VIEW map_piece AS SELECT coalesce(
   (SELECT piece FROM keyframes GROUP BY piece ORDER BY count(*) DESC, piece LIMIT 1), 0) AS piece;
 )sql";
 
+/// The ground under keyframes. Of older ones it is not known: their images are not kept.
+constexpr const char* kVersion3 = R"sql(
+CREATE TABLE grounds (
+  keyframe INTEGER PRIMARY KEY REFERENCES keyframes,
+  normal_x REAL NOT NULL, normal_y REAL NOT NULL, normal_z REAL NOT NULL, height_m REAL NOT NULL,
+  variance_1 REAL NOT NULL, variance_2 REAL NOT NULL, variance_height_m2 REAL NOT NULL,
+  covariance_12 REAL NOT NULL, covariance_1_height_m REAL NOT NULL, covariance_2_height_m REAL NOT NULL);
+)sql";
+
 /// The step at [i] leads from version i to i + 1.
-constexpr std::array<const char*, 2> kSteps = {kVersion1, kVersion2};
+constexpr std::array<const char*, 3> kSteps = {kVersion1, kVersion2, kVersion3};
 
 }  // namespace
 

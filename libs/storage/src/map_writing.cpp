@@ -10,6 +10,13 @@
 namespace wardslam::storage {
 namespace {
 
+void writeGround(SQLite::Statement& row, odometry::KeyframeId id, const core::GroundPlane& ground) {
+  const Eigen::Matrix3d& c = ground.covariance;
+  (ParameterBinder(row) << id << ground.normal_cam << ground.height_m << c(0, 0) << c(1, 1) << c(2, 2) << c(0, 1)
+                        << c(0, 2) << c(1, 2))
+      .run();
+}
+
 void writeKeyframes(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement upsert(database,
                            "INSERT INTO keyframes VALUES (?,?, ?,?,?, ?,?,?,?, ?, ?) ON CONFLICT (id) DO UPDATE SET "
@@ -19,9 +26,11 @@ void writeKeyframes(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement fan(database,
                         "INSERT INTO free_fans VALUES (?,?) ON CONFLICT (keyframe) DO UPDATE SET "
                         "points = excluded.points WHERE points <> excluded.points");
+  SQLite::Statement ground(database, "INSERT OR REPLACE INTO grounds VALUES (?, ?,?,?, ?, ?,?,?, ?,?,?)");
   for (const auto& [id, keyframe] : changes.keyframes) {
     (ParameterBinder(upsert) << id << keyframe.stamp_s << keyframe.T_map_cam << keyframe.zone << keyframe.piece).run();
     if (!keyframe.freeFan_cam_m.empty()) (ParameterBinder(fan) << id << encodeFan(keyframe.freeFan_cam_m)).run();
+    if (keyframe.ground) writeGround(ground, id, *keyframe.ground);
   }
 }
 
@@ -190,6 +199,7 @@ void removeKeyframes(SQLite::Database& database, const MapChanges& changes) {
       "DELETE FROM depth_noises WHERE keyframe = ?1",
       "DELETE FROM views WHERE keyframe = ?1",
       "DELETE FROM free_fans WHERE keyframe = ?1",
+      "DELETE FROM grounds WHERE keyframe = ?1",
       "DELETE FROM cloud_tiles WHERE keyframe = ?1",
       "DELETE FROM tile_memories WHERE keyframe = ?1",
       "DELETE FROM keyframes WHERE id = ?1"};

@@ -7,7 +7,7 @@
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
-#include "wardslam/mapping/cloud_in_map.h"
+#include "wardslam/exchange/map_drawing.h"
 #include "wardslam/viewer/map_scene.h"
 
 namespace wardslam::viewer {
@@ -16,46 +16,17 @@ namespace {
 using mapping::SemanticMap;
 using Scene = mrpt::opengl::COpenGLScene;
 
-constexpr std::uint8_t kOpaque = 255;
-constexpr float kPointSize_px = 2.0F;
 constexpr float kLineWidth_px = 2.0F;
 const mrpt::img::TColor kZoneColor(0, 120, 0);
 const mrpt::img::TColor kWayColor(200, 0, 0);
 
 mrpt::math::TPoint3D toMrptPoint(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-void addCloud(Scene& scene, const SemanticMap& map) {
-  const auto cloud = mrpt::opengl::CPointCloudColoured::Create();
-  cloud->setName("cloud");
-  cloud->setPointSize(kPointSize_px);
-  mapping::forEachCloudPoint(map, [&cloud](const Eigen::Vector3f& p, const mapping::SemanticPoint& point) {
-    const auto& [red, green, blue] = point.color_rgb;
-    cloud->insertPoint({p.x(), p.y(), p.z(), red, green, blue, kOpaque});
-  });
-  scene.insert(cloud);
-}
-
 void addText(Scene& scene, const std::string& text, const Eigen::Vector3d& p_map_m, const mrpt::img::TColor& color) {
   const auto label = mrpt::opengl::CText::Create(text);
   label->setColor_u8(color);
   label->setLocation(toMrptPoint(p_map_m));
   scene.insert(label);
-}
-
-void addObject(Scene& scene, const mapping::MapObject& object, const core::LabelSpace& labels) {
-  const auto& [red, green, blue] = object.color_rgb;
-  const mrpt::img::TColor color(red, green, blue);
-  const Eigen::Vector3d half = object.orientedBox.size_m / 2;
-  const auto box =
-      mrpt::opengl::CBox::Create(toMrptPoint(-half), toMrptPoint(half), /*is_wireframe=*/true, kLineWidth_px);
-  box->setName("object " + std::to_string(object.id));
-  box->setPose(core::toMrpt(object.orientedBox.T_map_box));
-  box->setColor_u8(color);
-  box->setBoxBorderColor(color);
-  scene.insert(box);
-  Eigen::Vector3d top = object.centroid_m;
-  top.z() = object.box_m.max().z();
-  addText(scene, labels.name(object.classId) + " #" + std::to_string(object.id), top, color);
 }
 
 void addZone(Scene& scene, const mapping::Zone& zone) {
@@ -94,9 +65,11 @@ void addWay(Scene& scene, const SemanticMap& map) {
 
 std::shared_ptr<mrpt::opengl::COpenGLScene> makeScene(const SemanticMap& map) {
   auto scene = std::make_shared<Scene>();
-  addCloud(*scene, map);
+  scene->insert(exchange::drawCloud(map));
   for (const auto& [id, object] : map.objects) {
-    if (object.state != mapping::ObjectState::Gone) addObject(*scene, object, map.labels);
+    if (object.state == mapping::ObjectState::Gone) continue;
+    scene->insert(exchange::drawBox(object));
+    scene->insert(exchange::drawName(object, map.labels));
   }
   for (const auto& zone : map.zones) addZone(*scene, zone);
   addWay(*scene, map);

@@ -61,6 +61,9 @@ class ByteReader {
   /// Reads a count of records and makes sure that exactly so many, of this size, follow.
   [[nodiscard]] std::size_t getCount(std::size_t recordSize);
 
+  /// Reads a count of records that take at least so many bytes each, and makes sure that they can follow.
+  [[nodiscard]] std::size_t getCountOfAtLeast(std::size_t smallestRecord);
+
   [[nodiscard]] std::size_t left() const { return bytes_.size() - position_; }
 
  private:

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
-#include <opencv2/core/mat.hpp>
-#include <vector>
-
-#include "wardslam/core/camera_model.h"
 #include "wardslam/mapping/floor_plan.h"
 #include "wardslam/mapping/semantic_map.h"
 
@@ -28,13 +23,10 @@ struct FloorPlanOptions {
   }
 };
 
-/// How far a keyframe saw nothing in a robot's way: one end point per direction, in the camera frame (m), in order from
-/// left to right. `depth_m` as in core::Frame; directions in which nothing was measured are left out.
-[[nodiscard]] std::vector<Eigen::Vector3f> freeFan(const cv::Mat& depth_m, const core::CameraModel& camera,
-                                                   const Eigen::Isometry3d& T_map_cam, const FloorPlanOptions& options);
-
-/// The floor plan of a map: occupied where the cloud has points between the heights, free where keyframes saw so,
-/// unknown elsewhere. Empty for a map without keyframes.
+/// The floor plan of a map: occupied where the cloud has points between the heights over the floor that keyframes saw
+/// nearby, free where keyframes saw so, unknown elsewhere. Ramps belong to the floor, stairs do not. Where no keyframe
+/// saw a floor, it is taken to be at z = 0. Of storeys one above the other it is the one with most keyframes. Empty for
+/// a map without keyframes.
 [[nodiscard]] FloorPlan drawFloorPlan(const SemanticMap& map, const FloorPlanOptions& options);
 
 }  // namespace wardslam::mapping

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <set>
@@ -23,6 +24,13 @@ struct MapParts {
   std::set<ObjectId> objects;
 
   [[nodiscard]] bool empty() const { return keyframes.empty() && tiles.empty() && objects.empty(); }
+};
+
+/// What keyframes of the map say of the floor.
+struct FloorSeen {
+  std::size_t keyframes = 0;  ///< Of the map;
+  std::size_t seen = 0;       ///< those whose image shows the floor.
+  double tilt_rad = 0.0;      ///< Of that floor, on the whole, in the map frame, whose z axis should be up.
 };
 
 /// What a map is told before anything is seen.
@@ -66,6 +74,8 @@ class MapBuilder {
 
   /// Parts, of any piece, that are new, different or removed since the last call.
   [[nodiscard]] MapParts takeChanges();
+
+  [[nodiscard]] FloorSeen floorSeen() const;
 
   /// All that is known of objects, and of these tiles, to be restored from.
   [[nodiscard]] MapMemory memory(const std::set<odometry::KeyframeId>& tiles) const;

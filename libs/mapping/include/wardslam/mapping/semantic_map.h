@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "wardslam/core/ground_plane.h"
 #include "wardslam/core/label_space.h"
 #include "wardslam/mapping/floor_plan.h"
 #include "wardslam/mapping/map_object.h"
@@ -20,8 +22,9 @@ struct MappedKeyframe {
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
   std::string zone;         ///< Innermost zone the camera was over; empty = none.
   std::uint32_t piece = 0;  ///< In whose frame the pose is (odometry::Pieces).
-  /// End points of what it saw free in a robot's way, from left to right, in its camera frame; see freeFan().
+  /// End points of what it saw free in a robot's way, from left to right, in its camera frame, level.
   std::vector<Eigen::Vector3f> freeFan_cam_m;
+  std::optional<core::GroundPlane> ground;  ///< The floor it stood on, where its image shows it.
 };
 
 /// The semantic map as plain data: what the builder makes, the map file stores, and queries read.

@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <mutex>
+#include <optional>
 #include <vector>
 
+#include "wardslam/core/ground_plane.h"
 #include "wardslam/core/options.h"
 #include "wardslam/mapping/floor_plan.h"
 #include "wardslam/pipeline/frame_observer.h"
@@ -51,6 +53,7 @@ class Obstacles : public pipeline::FrameObserver {
 
   /// What a frame shows takes the place of what was seen before. Of a frame without a pose it lies before the robot,
   /// wherever that is (Frame::T_base_cam, with the robot's frame on the floor), until the next frame.
+  /// Heights count from the floor that the last keyframe shows, where one did; else from z = 0.
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
 
   /// The same for points that another sensor sees (m, map frame).
@@ -60,7 +63,10 @@ class Obstacles : public pipeline::FrameObserver {
   [[nodiscard]] SensedObstacles sense(const Eigen::Isometry3d& T_map_base) const;
 
  private:
+  void lookAtGround(const core::Frame& frame, const Eigen::Isometry3d& T_map_cam);
+
   ObstacleOptions options_;
+  std::optional<core::GroundPlane> ground_map_;  ///< As seen from the map's origin.
   std::vector<Eigen::Vector3f> standing_map_m_;
   mutable std::mutex mutex_;  ///< Of what follows.
   std::vector<Eigen::Vector3f> seen_map_m_;
