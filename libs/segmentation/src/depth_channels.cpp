@@ -15,16 +15,17 @@ constexpr float kFarthestPlace = 1.5F;  ///< and how far off they count.
 constexpr float kMinMeasured = 2.5F;    ///< Measured pixels a side needs: more than this,
 constexpr float kSidesApart_px = 3.0F;  ///< and how far the middles of both sides are apart.
 
-/// The nearest of what is measured in the rows [y0, y1) and columns [x0, x1); 0 = none.
-float nearestIn(const cv::Mat& depth_m, int y0, int y1, int x0, int x1) {
-  constexpr float kNone = 1e9F;
-  float nearest_m = kNone;
-  for (int y = y0; y < y1; ++y) {
-    const auto* row = depth_m.ptr<float>(y);
-    for (int x = x0; x < x1; ++x) nearest_m = row[x] > 0.0F && row[x] < nearest_m ? row[x] : nearest_m;
+constexpr float kNothing_m = 1e9F;  ///< Farther than anything.
+
+/// Takes over what of a row is nearer than what was in the rows before.
+void keepNearest(const float* row_m, int width, float* nearest_m) {
+  for (int x = 0; x < width; ++x) {
+    const float here_m = row_m[x] > 0.0F ? row_m[x] : kNothing_m;
+    nearest_m[x] = here_m < nearest_m[x] ? here_m : nearest_m[x];
   }
-  return nearest_m < kNone ? nearest_m : 0.0F;
 }
+
+/// The loops of what follows are kept to few arrays each, so that compilers make them work on several pixels at once.
 
 /// Sums over what lies on each side of the pixels of a row: 5 pixels long, 2 wide.
 struct SideSums {
@@ -48,24 +49,25 @@ struct SideSums {
     const auto allOfTwo = [](const float* a, const float* b, std::size_t u) {
       return a[u] + a[u + 1] + a[u + 2] + a[u + 3] + a[u + 4] + b[u] + b[u + 1] + b[u + 2] + b[u + 3] + b[u + 4];
     };
-    for (std::size_t u = 0; u < left.size(); ++u) {
-      left[u] = twoOfAll(u);
-      right[u] = twoOfAll(u + 3);
-      above[u] = allOfTwo(row[0], row[1], u);
-      below[u] = allOfTwo(row[3], row[4], u);
-    }
+    const std::size_t width = left.size();
+    for (std::size_t u = 0; u < width; ++u) left[u] = twoOfAll(u);
+    for (std::size_t u = 0; u < width; ++u) right[u] = twoOfAll(u + 3);
+    for (std::size_t u = 0; u < width; ++u) above[u] = allOfTwo(row[0], row[1], u);
+    for (std::size_t u = 0; u < width; ++u) below[u] = allOfTwo(row[3], row[4], u);
   }
 };
 
-/// Slopes of the inverse depth, from its sums on both sides and how many pixels those are of.
+/// Slopes of the inverse depth times the focal length, from its sums on both sides and how many pixels those are of.
 void findSlopes(const std::vector<float>& sumBefore, const std::vector<float>& countBefore,
-                const std::vector<float>& sumBehind, const std::vector<float>& countBehind,
-                std::vector<float>& slopes) {
-  for (std::size_t u = 0; u < slopes.size(); ++u) {
-    const float before = sumBefore[u] / std::max(countBefore[u], 1.0F);
-    const float behind = sumBehind[u] / std::max(countBehind[u], 1.0F);
-    const bool isKnown = std::min(countBefore[u], countBehind[u]) > kMinMeasured;
-    slopes[u] = isKnown ? (behind - before) / kSidesApart_px : 0.0F;
+                const std::vector<float>& sumBehind, const std::vector<float>& countBehind, float focalLength_px,
+                cv::Mat& slopes) {
+  auto* out = slopes.ptr<float>();
+  for (std::size_t u = 0; u < sumBefore.size(); ++u) {
+    const float nBefore = countBefore[u] > 1.0F ? countBefore[u] : 1.0F;
+    const float nBehind = countBehind[u] > 1.0F ? countBehind[u] : 1.0F;
+    const float least = nBefore < nBehind ? nBefore : nBehind;
+    const float slope = (sumBehind[u] / nBehind - sumBefore[u] / nBefore) / kSidesApart_px * focalLength_px;
+    out[u] = least > kMinMeasured ? slope : 0.0F;
   }
 }
 
@@ -88,31 +90,36 @@ struct Measured {
   }
 };
 
-/// One row of the picture and what is known about it.
-struct Row {
-  const float* z;
-  const float* w;
-  const float* is;
-  const float* x;      ///< Of the ray, at depth 1,
-  float y;             ///< and all of the row have the same.
-  const float* right;  ///< Slopes of w.
-  const float* down;
-};
-
-void writeRow(const Row& row, float fx, float fy, int width, const std::array<float*, kDepthChannels>& out) {
+/// The normals of a row of the picture. `right`, `down`: slopes of the inverse depth `w`, times the focal lengths; `x`,
+/// `y`: of the rays at depth 1. Writes the first two components, 0 where nothing was measured.
+void writeNormals(const float* w, const float* is, const cv::Mat& right, const cv::Mat& down, const cv::Mat& x, float y,
+                  cv::Mat& norm, float* nx, float* ny) {
+  const auto* a = right.ptr<float>();
+  const auto* b = down.ptr<float>();
+  const auto* xs = x.ptr<float>();
+  auto* n = norm.ptr<float>();
+  const int width = x.cols;
   for (int u = 0; u < width; ++u) {
-    const float a = row.right[u] * fx;
-    const float b = row.down[u] * fy;
-    const float c = row.w[u] - row.x[u] * a - row.y * b;
-    const float perNorm = row.is[u] / std::max(std::sqrt(a * a + b * b + c * c), 1e-6F);
-    const float scaled = row.z[u] * row.is[u] / kHalfRoom_m;
-    out[0][u] = row.w[u];
-    out[1][u] = row.is[u];
-    out[2][u] = a * perNorm;
-    out[3][u] = b * perNorm;
-    out[4][u] = std::clamp(row.x[u] * scaled, -kFarthestPlace, kFarthestPlace);
-    out[5][u] = std::clamp(row.y * scaled, -kFarthestPlace, kFarthestPlace);
+    const float c = w[u] - xs[u] * a[u] - y * b[u];
+    n[u] = a[u] * a[u] + b[u] * b[u] + c * c;
   }
+  cv::sqrt(norm, norm);
+  for (int u = 0; u < width; ++u) n[u] = is[u] / (n[u] > 1e-6F ? n[u] : 1e-6F);
+  for (int u = 0; u < width; ++u) nx[u] = a[u] * n[u];
+  for (int u = 0; u < width; ++u) ny[u] = b[u] * n[u];
+}
+
+float cut(float place) {
+  const float below = place < kFarthestPlace ? place : kFarthestPlace;
+  return below > -kFarthestPlace ? below : -kFarthestPlace;
+}
+
+/// Where the points of a row are, sideways and down.
+void writePlaces(const float* z, const float* is, const cv::Mat& x, float y, float* right, float* down) {
+  const auto* xs = x.ptr<float>();
+  const int width = x.cols;
+  for (int u = 0; u < width; ++u) right[u] = cut(xs[u] * (z[u] * is[u] / kHalfRoom_m));
+  for (int u = 0; u < width; ++u) down[u] = cut(y * (z[u] * is[u] / kHalfRoom_m));
 }
 
 }  // namespace
@@ -124,13 +131,18 @@ DepthPicture fitDepth(const cv::Mat& depth_m, const core::CameraModel& camera, c
   DepthPicture picture{cv::Mat(letterbox.input_px(), CV_32FC1, cv::Scalar(0)), camera.fx_px * scaleX,
                        camera.fy_px * scaleY, (camera.cx_px + 0.5) * scaleX - 0.5 + content.x,
                        (camera.cy_px + 0.5) * scaleY - 0.5 + content.y};
+  std::vector<float> nearest_m(static_cast<std::size_t>(depth_m.cols));
   for (int v = 0; v < content.height; ++v) {
     const int y0 = v * depth_m.rows / content.height;
     const int y1 = std::max(y0 + 1, (v + 1) * depth_m.rows / content.height);
+    std::fill(nearest_m.begin(), nearest_m.end(), kNothing_m);
+    for (int y = y0; y < y1; ++y) keepNearest(depth_m.ptr<float>(y), depth_m.cols, nearest_m.data());
     auto* row = picture.depth_m.ptr<float>(content.y + v) + content.x;
     for (int u = 0; u < content.width; ++u) {
       const int x0 = u * depth_m.cols / content.width;
-      row[u] = nearestIn(depth_m, y0, y1, x0, std::max(x0 + 1, (u + 1) * depth_m.cols / content.width));
+      const int x1 = std::max(x0 + 1, (u + 1) * depth_m.cols / content.width);
+      const float here_m = *std::min_element(nearest_m.begin() + x0, nearest_m.begin() + x1);
+      row[u] = here_m < kNothing_m ? here_m : 0.0F;
     }
   }
   return picture;
@@ -138,34 +150,33 @@ DepthPicture fitDepth(const cv::Mat& depth_m, const core::CameraModel& camera, c
 
 cv::Mat depthChannels(const DepthPicture& picture) {
   const cv::Size size = picture.depth_m.size();
-  const auto width = static_cast<std::size_t>(size.width);
+  const auto fx = static_cast<float>(picture.fx_px);
+  const auto fy = static_cast<float>(picture.fy_px);
   const Measured measured(picture.depth_m);
   SideSums inverse(size.width);
   SideSums count(size.width);
-  std::vector<float> x(width);
-  for (std::size_t u = 0; u < width; ++u) {
-    x[u] = (static_cast<float>(u) - static_cast<float>(picture.cx_px)) / static_cast<float>(picture.fx_px);
-  }
-  std::vector<float> right(width);
-  std::vector<float> down(width);
+  cv::Mat x(1, size.width, CV_32F);
+  for (int u = 0; u < size.width; ++u)
+    x.at<float>(u) = (static_cast<float>(u) - static_cast<float>(picture.cx_px)) / fx;
+  cv::Mat right(1, size.width, CV_32F);
+  cv::Mat down(1, size.width, CV_32F);
+  cv::Mat norm(1, size.width, CV_32F);
   cv::Mat channels({1, kDepthChannels, size.height, size.width}, CV_32F);
+  const auto rowOf = [&](int channel, int v) {
+    return channels.ptr<float>(0, channel) + static_cast<std::ptrdiff_t>(v) * size.width;
+  };
   for (int v = 0; v < size.height; ++v) {
+    const auto* w = measured.inverse.ptr<float>(v + kReach) + kReach;
+    const auto* is = measured.is.ptr<float>(v + kReach) + kReach;
+    const float y = (static_cast<float>(v) - static_cast<float>(picture.cy_px)) / fy;
     inverse.set(measured.inverse, v);
     count.set(measured.is, v);
-    findSlopes(inverse.left, count.left, inverse.right, count.right, right);
-    findSlopes(inverse.above, count.above, inverse.below, count.below, down);
-    const Row row{picture.depth_m.ptr<float>(v),
-                  measured.inverse.ptr<float>(v + kReach) + kReach,
-                  measured.is.ptr<float>(v + kReach) + kReach,
-                  x.data(),
-                  (static_cast<float>(v) - static_cast<float>(picture.cy_px)) / static_cast<float>(picture.fy_px),
-                  right.data(),
-                  down.data()};
-    std::array<float*, kDepthChannels> out{};
-    for (int c = 0; c < kDepthChannels; ++c) {
-      out[static_cast<std::size_t>(c)] = channels.ptr<float>(0, c) + static_cast<std::size_t>(v) * width;
-    }
-    writeRow(row, static_cast<float>(picture.fx_px), static_cast<float>(picture.fy_px), size.width, out);
+    findSlopes(inverse.left, count.left, inverse.right, count.right, fx, right);
+    findSlopes(inverse.above, count.above, inverse.below, count.below, fy, down);
+    std::copy(w, w + size.width, rowOf(0, v));
+    std::copy(is, is + size.width, rowOf(1, v));
+    writeNormals(w, is, right, down, x, y, norm, rowOf(2, v), rowOf(3, v));
+    writePlaces(picture.depth_m.ptr<float>(v), is, x, y, rowOf(4, v), rowOf(5, v));
   }
   return channels;
 }
