@@ -9,7 +9,12 @@
 
 #include "stored_map.h"
 #include "support/program.h"
+#include "wardslam/core/errors.h"
 #include "wardslam/exchange/map_export.h"
+#include "wardslam/exchange/tum_trajectory.h"
+#include "wardslam/graph/pose_graph_file.h"
+#include "wardslam/mrpt_plugin/multi_metric_map.h"
+#include "wardslam/pipeline/earlier_map.h"
 #include "wardslam/viewer/map_scene.h"
 
 namespace wardslam::apps {
@@ -18,36 +23,75 @@ namespace {
 using Path = std::filesystem::path;
 using mapping::SemanticMap;
 
+/// What is exported, and from where.
+struct Source {
+  Path file;
+  Path poses;  ///< A `.graph` with other poses of the keyframes; empty = the map's own.
+  SemanticMap map;
+};
+
 struct Format {
   const char* option;
   const char* help;
-  void (*write)(const SemanticMap& map, const Path& file);
+  void (*write)(const Source& source, const Path& file);
 };
 
-void exportOctomap(const SemanticMap& map, const Path& file) { exchange::exportOctomap(map, file); }
+template <void (*Write)(const SemanticMap& map, const Path& file)>
+void writeMap(const Source& source, const Path& file) {
+  Write(source.map, file);
+}
 
-constexpr std::array<Format, 8> kFormats = {{
-    {"--ply", "the cloud: colour, class and instance of every point", exchange::exportPly},
-    {"--pcd", "the cloud, for PCL: rgb, label, instance", exchange::exportPcd},
-    {"--octomap", "occupied and free space: F.bt, or with probabilities F.ot", exportOctomap},
-    {"--scene", "cloud, boxes, zones and way, for SceneViewer3D: F.3Dscene", viewer::exportScene},
-    {"--gridmap", "the floor plan for MRPT: F.gridmap", exchange::exportGridmap},
-    {"--ros-map", "the floor plan for ROS map_server: F.yaml, with F.pgm beside it", exchange::exportRosMap},
-    {"--geojson", "zones and objects as polygons, metres", exchange::exportGeoJson},
-    {"--csv", "the objects, one per line", exchange::exportCsv},
+void writeOctomap(const Source& source, const Path& file) { exchange::exportOctomap(source.map, file); }
+
+void writeMetricMaps(const Source& source, const Path& file) { mrpt_plugin::exportMetricMaps(source.map, file); }
+
+void writeGraph(const Source& source, const Path& file) {
+  graph::writePoseGraph(pipeline::readEarlierMap(source.file).graph, file);
+}
+
+void writeTrajectory(const Source& source, const Path& file) {
+  std::map<graph::KeyframeId, Eigen::Isometry3d> T_map_cam;
+  if (!source.poses.empty()) T_map_cam = graph::readPoseGraph(source.poses);
+  exchange::TumTrajectoryWriter trajectory(file);
+  for (const auto& [id, keyframe] : source.map.keyframes) {
+    if (source.poses.empty()) T_map_cam[id] = keyframe.T_map_cam;
+    const auto pose = T_map_cam.find(id);
+    if (pose == T_map_cam.end())
+      throw core::InputError(source.poses.string() + ": has no node for keyframe " + std::to_string(id) +
+                             " of the map");
+    trajectory.write({keyframe.stamp_s, pose->second});
+  }
+  trajectory.finish();
+}
+
+constexpr std::array<Format, 12> kFormats = {{
+    {"--ply", "the cloud: colour, class and instance of every point", writeMap<exchange::exportPly>},
+    {"--pcd", "the cloud, for PCL: rgb, label, instance", writeMap<exchange::exportPcd>},
+    {"--octomap", "occupied and free space: F.bt, or with probabilities F.ot", writeOctomap},
+    {"--scene", "cloud, boxes, zones and way, for SceneViewer3D: F.3Dscene", writeMap<viewer::exportScene>},
+    {"--gridmap", "the floor plan for MRPT: F.gridmap", writeMap<exchange::exportGridmap>},
+    {"--metric-maps", "all as one CMultiMetricMap of MRPT: F.metricmap", writeMetricMaps},
+    {"--simplemap", "keyframes with what they saw, for observations2map: F.simplemap",
+     writeMap<exchange::exportSimpleMap>},
+    {"--graph", "keyframes and what ties them, for graph-slam: F.graph", writeGraph},
+    {"--trajectory", "the poses of the keyframes, as `wardslam eval` reads them", writeTrajectory},
+    {"--ros-map", "the floor plan for ROS map_server: F.yaml, with F.pgm beside it", writeMap<exchange::exportRosMap>},
+    {"--geojson", "zones and objects as polygons, metres", writeMap<exchange::exportGeoJson>},
+    {"--csv", "the objects, one per line", writeMap<exchange::exportCsv>},
 }};
 
 struct ExportArguments {
   Path map;
+  Path poses;
   std::array<Path, kFormats.size()> files;
 };
 
 void exportAll(const ExportArguments& arguments) {
   if (arguments.files == ExportArguments().files) throw UsageError("map export needs a format, such as --ply FILE");
-  const SemanticMap map = readStoredMap(arguments.map, storage::CloudPart::Include);
+  const Source source{arguments.map, arguments.poses, readStoredMap(arguments.map, storage::CloudPart::Include)};
   for (std::size_t i = 0; i < kFormats.size(); ++i) {
     if (arguments.files.at(i).empty()) continue;
-    kFormats.at(i).write(map, arguments.files.at(i));
+    kFormats.at(i).write(source, arguments.files.at(i));
     std::cout << arguments.files.at(i).string() << "\n";
   }
 }
@@ -61,6 +105,8 @@ void addMapExportCommand(CLI::App& mapCommand) {
   for (std::size_t i = 0; i < kFormats.size(); ++i) {
     command->add_option(kFormats.at(i).option, arguments->files.at(i), kFormats.at(i).help)->type_name("F");
   }
+  command->add_option("--poses", arguments->poses, "for --trajectory: a graph that graph-slam has optimised, instead")
+      ->type_name("F");
   command->callback([arguments] { exportAll(*arguments); });
 }
 

@@ -1,36 +1,12 @@
-#include <octomap/OcTree.h>
-
 #include <ostream>
 
+#include "octree.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/exchange/map_export.h"
-#include "wardslam/mapping/cloud_in_map.h"
 
 namespace wardslam::exchange {
 namespace {
-
-octomap::point3d toOctomap(const Eigen::Vector3f& p) { return {p.x(), p.y(), p.z()}; }
-
-/// What lies between a camera and what it saw is free.
-void clearWays(octomap::OcTree& tree, const mapping::SemanticMap& map) {
-  for (const auto& [id, tile] : map.cloud) {
-    const auto keyframe = map.keyframes.find(id);
-    if (keyframe == map.keyframes.end()) continue;
-    const Eigen::Isometry3f T_map_cam = keyframe->second.T_map_cam.cast<float>();
-    octomap::Pointcloud seen;
-    for (const auto& point : tile.points) seen.push_back(toOctomap(T_map_cam * point.p_cam_m));
-    constexpr double kAnyRange = -1.0;
-    tree.insertPointCloud(seen, toOctomap(T_map_cam.translation()), kAnyRange, /*lazy_eval=*/true, /*discretize=*/true);
-  }
-}
-
-/// Rays that pass close by wear thin surfaces away; the cloud knows better.
-void occupyCloud(octomap::OcTree& tree, const mapping::SemanticMap& map) {
-  mapping::forEachCloudPoint(map, [&tree](const Eigen::Vector3f& p_map_m, const mapping::SemanticPoint& /*point*/) {
-    tree.setNodeValue(toOctomap(p_map_m), tree.getClampingThresMaxLog(), /*lazy_eval=*/true);
-  });
-}
 
 /// As OcTree::writeBinary(), which cannot keep from talking to standard error.
 void writeBinary(octomap::OcTree& tree, std::ostream& out) {
@@ -49,9 +25,7 @@ void exportOctomap(const mapping::SemanticMap& map, const std::filesystem::path&
     throw core::InputError(file.string() + ": an OctoMap is a .bt file, or with probabilities a .ot file");
   }
   octomap::OcTree tree(resolution_m);
-  clearWays(tree, map);
-  occupyCloud(tree, map);
-  tree.updateInnerOccupancy();
+  fillOctree(map, tree);
   core::AtomicFile out(file);
   if (withProbabilities) {
     tree.write(out.stream());

@@ -24,6 +24,9 @@ void exportGridmap(const mapping::SemanticMap& map, const std::filesystem::path&
 /// The floor plan for ROS map_server: `file` (YAML) and an image beside it, `.pgm`. Throws where there is none.
 void exportRosMap(const mapping::SemanticMap& map, const std::filesystem::path& file);
 
+/// MRPT's `.simplemap`, see toSimpleMap().
+void exportSimpleMap(const mapping::SemanticMap& map, const std::filesystem::path& file);
+
 /// Zones and objects (those that stand there) as polygons with their attributes. Coordinates are metres, not degrees.
 void exportGeoJson(const mapping::SemanticMap& map, const std::filesystem::path& file);
 

@@ -1,0 +1,32 @@
+#include "wardslam/exchange/metric_maps.h"
+
+#include <mrpt/maps/CColouredPointsMap.h>
+#include <mrpt/maps/COctoMap.h>
+
+#include "octree.h"
+#include "wardslam/mapping/cloud_in_map.h"
+
+namespace wardslam::exchange {
+
+std::shared_ptr<mrpt::maps::CColouredPointsMap> toColouredPoints(const mapping::SemanticMap& map) {
+  constexpr float kFull = 255.0F;
+  auto points = mrpt::maps::CColouredPointsMap::Create();
+  mapping::forEachCloudPoint(map, [&points](const Eigen::Vector3f& p_m, const mapping::SemanticPoint& point) {
+    const auto [red, green, blue] = point.color_rgb;
+    points->insertPointRGB(p_m.x(), p_m.y(), p_m.z(), red / kFull, green / kFull, blue / kFull);
+  });
+  return points;
+}
+
+std::shared_ptr<mrpt::maps::COctoMap> toOctoMap(const mapping::SemanticMap& map, double resolution_m) {
+  octomap::OcTree tree(resolution_m);
+  fillOctree(map, tree);
+  tree.expand();  // a voxel at a time is what COctoMap takes: MRPT does not let its tree out
+  auto octoMap = std::make_shared<mrpt::maps::COctoMap>(resolution_m);
+  for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+    octoMap->updateVoxel(leaf.getX(), leaf.getY(), leaf.getZ(), tree.isNodeOccupied(*leaf));
+  }
+  return octoMap;
+}
+
+}  // namespace wardslam::exchange
