@@ -3,6 +3,7 @@
 #include "integration/cli_test_support.h"
 #include "support/hand_made_map.h"
 #include "support/temporary_folder.h"
+#include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/storage/map_file.h"
 
 namespace wardslam::test {
@@ -33,6 +34,30 @@ TEST_F(MapExportCommandTest, WritesEveryFormatThatIsNamedAndNamesWhatItWrote) {
   }
   EXPECT_EQ(result.out, expected);
   EXPECT_TRUE(std::filesystem::exists(path("a.pgm")));
+}
+
+TEST_F(MapExportCommandTest, WritesWhatProgramsOfMrptGoOnWith) {
+  const auto ward = makeWard();
+  auto content = storage::everythingOf(ward);
+  for (std::uint64_t id = 1; id <= 3; ++id) content.views.push_back(makeView(id, ward));
+  storage::MapFile::create(map_).write(content);
+  const auto result = runProgram("wardslam", {"map", "export", map_, "--metric-maps", path("a.metricmap"),
+                                              "--simplemap", path("a.simplemap"), "--graph", path("a.graph")});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  for (const char* name : {"a.metricmap", "a.simplemap", "a.graph"}) EXPECT_TRUE(std::filesystem::exists(path(name)));
+  EXPECT_EQ(runProgram("wardslam", {"map", "export", map_, "--trajectory", path("own.txt")}).exitCode, 0);
+  EXPECT_EQ(
+      runProgram("wardslam", {"map", "export", map_, "--trajectory", path("graph.txt"), "--poses", path("a.graph")})
+          .exitCode,
+      0);
+  const auto own = exchange::readTumTrajectory(path("own.txt"));
+  const auto ofGraph = exchange::readTumTrajectory(path("graph.txt"));
+  ASSERT_EQ(own.size(), 3U);
+  ASSERT_EQ(ofGraph.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(own[i].T_map_cam.isApprox(ward.keyframes.at(i + 1).T_map_cam, 1e-5));
+    EXPECT_TRUE(ofGraph[i].T_map_cam.isApprox(own[i].T_map_cam, 1e-5));
+  }
 }
 
 TEST_F(MapExportCommandTest, SaysWhatIsMissing) {
