@@ -44,6 +44,10 @@ TEST_F(SemanticMapSerialization, GivesAllBack) {
   EXPECT_EQ(back->likelihoodOptions.sigma_m, 0.2);
   EXPECT_FALSE(back->renderOptions.names);
   EXPECT_FALSE(back->genericMapParams.enableObservationInsertion);
+  ASSERT_TRUE(back->map().keyframes.at(2).ground);
+  EXPECT_EQ(back->map().keyframes.at(2).ground->height_m, map.map().keyframes.at(2).ground->height_m);
+  EXPECT_EQ(back->map().keyframes.at(2).ground->covariance, map.map().keyframes.at(2).ground->covariance);
+  EXPECT_FALSE(back->map().keyframes.at(3).ground);
   EXPECT_EQ(back->objects().at(3).zone, map.objects().at(3).zone);
   EXPECT_EQ(back->map().cloud.at(2).points.at(7).p_cam_m, map.map().cloud.at(2).points.at(7).p_cam_m);
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 
 namespace wardslam::mrpt_plugin {
@@ -69,6 +70,25 @@ void putLabels(ByteWriter& out, const core::LabelSpace& labels) {
   return labels;
 }
 
+void put(ByteWriter& out, const std::optional<core::GroundPlane>& ground) {
+  out.put(static_cast<std::uint8_t>(ground ? 1 : 0));
+  if (!ground) return;
+  putVector(out, ground->normal_cam);
+  out.put(ground->height_m);
+  putVector(out, Eigen::Map<const Eigen::Matrix<double, 9, 1>>(ground->covariance.data()));
+}
+
+[[nodiscard]] std::optional<core::GroundPlane> getGround(ByteReader& in) {
+  if (in.get<std::uint8_t>() == 0) return std::nullopt;
+  core::GroundPlane ground;
+  ground.normal_cam = getVector<Eigen::Vector3d>(in);
+  ground.height_m = getVector<Eigen::Matrix<double, 1, 1>>(in)[0];
+  const auto covariance = getVector<Eigen::Matrix<double, 9, 1>>(in);
+  ground.covariance = Eigen::Map<const Eigen::Matrix3d>(covariance.data());
+  if (!(std::abs(ground.normal_cam.norm() - 1.0) < 1e-6)) throw BlobError("a floor has no direction");
+  return ground;
+}
+
 void put(ByteWriter& out, const mapping::MappedKeyframe& keyframe) {
   out.put(keyframe.stamp_s);
   putPose(out, keyframe.T_map_cam);
@@ -76,6 +96,7 @@ void put(ByteWriter& out, const mapping::MappedKeyframe& keyframe) {
   out.put(keyframe.piece);
   out.put(static_cast<std::uint32_t>(keyframe.freeFan_cam_m.size()));
   for (const Eigen::Vector3f& end_m : keyframe.freeFan_cam_m) putVector(out, end_m);
+  put(out, keyframe.ground);
 }
 
 [[nodiscard]] mapping::MappedKeyframe getKeyframe(ByteReader& in) {
@@ -86,6 +107,7 @@ void put(ByteWriter& out, const mapping::MappedKeyframe& keyframe) {
   keyframe.piece = in.get<std::uint32_t>();
   keyframe.freeFan_cam_m.resize(in.getCountOfAtLeast(3 * sizeof(float)));
   for (Eigen::Vector3f& end_m : keyframe.freeFan_cam_m) end_m = getVector<Eigen::Vector3f>(in);
+  keyframe.ground = getGround(in);
   return keyframe;
 }
 
