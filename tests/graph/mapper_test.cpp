@@ -2,15 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <opencv2/core.hpp>
 #include <set>
-#include <thread>
 
 #include "graph/mapper_walk.h"
+#include "graph/staged_mapper.h"
 #include "graph/synthetic_walk.h"
-#include "wardslam/core/mailbox.h"
-#include "wardslam/core/stage.h"
 
 namespace wardslam::graph {
 namespace {
@@ -334,33 +331,6 @@ TEST_F(MapperTest, KeepsAllKeyframesWhenTold) {
   for (int i = 0; i < kRound + 12; ++i) walk_.recall(mapper.insert(walk_.step()));
   EXPECT_EQ(mapper.graph().keyframes().size(), static_cast<std::size_t>(kRound + 12));
 }
-
-/// A mapper as a run has it: in a stage, its findings brought back.
-class StagedMapper {
- public:
-  explicit StagedMapper(core::StageThread thread, const GraphOptions& options = {})
-      : stage_(std::make_unique<Mapper>(options, odometry::OdometryOptions{}), thread) {}
-
-  void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
-    stage_.post([this, keyframe](Mapper& mapper) { updates_.put(mapper.insert(keyframe, &stage_.isWaitedFor())); });
-  }
-  std::vector<odometry::MapUpdate> takeUpdates() {
-    stage_.rethrowFailure();
-    return updates_.takeAll();
-  }
-  std::vector<odometry::MapUpdate> waitForUpdates() {
-    while (true) {
-      auto updates = takeUpdates();
-      if (!updates.empty()) return updates;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-  std::unique_ptr<Mapper> finish() { return stage_.finish(); }
-
- private:
-  core::Mailbox<odometry::MapUpdate> updates_;
-  core::Stage<Mapper> stage_;
-};
 
 TEST(MapperInStage, FedSlowlyItMakesTheMapOfThePlainOne) {
   const auto keyframes = SyntheticWalk({0.5, 0.5, 0}, 800).walk(8);
