@@ -29,7 +29,7 @@ class TruthTest : public testing::Test {
       T_map_cam.translation() = Eigen::Vector3d(0.3 * i, 0.3 * i, 1.0);
       groundTruth.write({100.0 + i, T_world_map_ * T_map_cam});
       T_map_cam.translation().z() += i % 2 == 0 ? 0.01 : -0.01;  // what tells of the way's plane is nothing but noise
-      map_.keyframes[static_cast<std::uint64_t>(i) + 1] = {100.0 + i, T_map_cam, "", 0, {}};
+      map_.keyframes[static_cast<std::uint64_t>(i) + 1] = {100.0 + i, T_map_cam, "", 0, {}, {}};
     }
     groundTruth.finish();
   }
