@@ -156,12 +156,5 @@ TEST_F(WindowTest, TheGlobalOneIsOneSubmap) {
   EXPECT_EQ(window.points.size(), 8U);
 }
 
-TEST_F(WindowTest, WhatIsKeptHoldsStillWhereItSeesWhatMovesAndIsLeftOutElsewhere) {
-  const auto window = globalWindow(graph_, 1, {1, 2});
-  EXPECT_THAT(window.moved, ElementsAre(3, 4, 5));
-  EXPECT_THAT(window.fixed, ElementsAre(2));
-  EXPECT_THAT(window.points, ElementsAre(3, 4, 5, 6, 7, 8));
-}
-
 }  // namespace
 }  // namespace wardslam::graph

@@ -67,8 +67,7 @@ TEST_F(ReachTest, KnowsHowFarItWentUnseen) {
   go(0.0);
   go(2.0);
   const auto lost_m = [&] {
-    return lostBetween_m(graph_, {1, graph_.keyframes().rbegin()->first, Eigen::Isometry3d::Identity(), 100, {}, {1}},
-                         options_);
+    return lostBetween_m(graph_, {1, graph_.keyframes().rbegin()->first, Eigen::Isometry3d::Identity(), 100, {}, {1}}, options_);
   };
   loseAndGo(4.0);
   EXPECT_NEAR(lost_m(), 7.0, 1e-9);

@@ -181,19 +181,14 @@ AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, cons
   return window;
 }
 
-AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap, const std::set<KeyframeId>& keep) {
+AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap) {
   AdjustmentWindow window;
   for (const auto& [id, node] : graph.keyframes()) {
-    if (node.submap != submap || node.isHeld || keep.count(id) != 0) continue;
+    if (node.submap != submap || node.isHeld) continue;
     window.moved.insert(id);
     for (const auto& [point, keypoint] : node.keypointOf) window.points.insert(point);
   }
-  for (const KeyframeId id : keep) {
-    const auto& sightings = graph.keyframes().at(id).keypointOf;
-    const auto isMoved = [&window](const auto& sighting) { return window.points.count(sighting.first) != 0; };
-    if (std::any_of(sightings.begin(), sightings.end(), isMoved)) window.fixed.insert(id);
-  }
-  if (window.moved.empty() || !window.fixed.empty() || isTiedToHeld(graph, window)) return window;
+  if (window.moved.empty() || isTiedToHeld(graph, window)) return window;
   window.fixed.insert(window.moved.extract(window.moved.begin()).value());
   return window;
 }

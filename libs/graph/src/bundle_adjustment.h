@@ -23,9 +23,8 @@ struct AdjustmentWindow {
 [[nodiscard]] AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest,
                                            const BundleAdjustmentOptions& options);
 
-/// Everything in one submap but keyframes to `keep`; its first keyframe holds still where nothing else does.
-[[nodiscard]] AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap,
-                                            const std::set<KeyframeId>& keep = {});
+/// Everything in one submap; its first keyframe holds still where nothing is held.
+[[nodiscard]] AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap);
 
 /// Least squares over all sightings in the window, reprojection and depth, with a robust loss; sightings that do not
 /// fit afterwards are removed from the graph. Returns what changed. Stops early, with the best so far, once `stop`

@@ -12,7 +12,6 @@
 #include "overlap.h"
 #include "pose_graph.h"
 #include "redundancy.h"
-#include "untouched.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/rigid_transform.h"
 
@@ -159,9 +158,8 @@ odometry::MapUpdate Mapper::adjustAll() {
   std::set<std::uint32_t> submaps;
   for (const auto& [id, node] : graph_.keyframes()) submaps.insert(node.submap);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
-  const auto keep = untouched(graph_);
   for (const std::uint32_t submap : submaps) {
-    const auto adjusted = adjust(graph_, globalWindow(graph_, submap, keep), adjustment, adjustment.global_iterations);
+    const auto adjusted = adjust(graph_, globalWindow(graph_, submap), adjustment, adjustment.global_iterations);
     const auto& removed = adjusted.removedPoints;
     update.removedPoints.insert(update.removedPoints.end(), removed.begin(), removed.end());
     describe(graph_, submap, update);
@@ -227,35 +225,10 @@ bool Mapper::isBelievable(const Loop& loop) {
 
 /// Whatever does not fit in the end is taken back whole, before anybody hears of it.
 bool Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
-  std::optional<odometry::MapUpdate> closing;
-  if (agreesInDepth(loops.front())) {
-    closing = closeWith(loops, Bent::WhatIsTouched, stop);
-    if (!closing && !untouched(graph_).empty()) closing = closeWith(loops, Bent::All, stop);
-  }
-  if (!closing) {
+  if (!agreesInDepth(loops.front())) {
     ++loopsTakenBack_;
     return false;
   }
-  ++loopsClosed_;
-  if (closing->joined) ++submapsJoined_;
-  update.movesTheMap = true;
-  update.joined = closing->joined;
-  update.fusedPoints = std::move(closing->fusedPoints);
-  update.removedPoints.insert(update.removedPoints.end(), closing->removedPoints.begin(), closing->removedPoints.end());
-  update.p_map_m.clear();  // with them the points fused away
-  describe(graph_, graph_.keyframes().at(loops.front().newer).submap, update);
-  for (const Loop& loop : loops) {
-    for (const KeyframeId id : loop.place) {
-      if (graph_.keyframes().count(id) != 0) recall(id, update);
-    }
-  }
-  return true;
-}
-
-/// What it joined, fused and removed. Nothing where it does not fit: then all is as before.
-std::optional<odometry::MapUpdate> Mapper::closeWith(const std::vector<Loop>& loops, Bent bent,
-                                                     const std::atomic<bool>* stop) {
-  const auto kept = [&] { return bent == Bent::All ? std::set<KeyframeId>{} : untouched(graph_); };
   graph_.beginTrial();
   const odometry::Pieces piecesBefore = pieces_;
   const std::size_t loopsBefore = loops_.size();
@@ -264,19 +237,32 @@ std::optional<odometry::MapUpdate> Mapper::closeWith(const std::vector<Loop>& lo
   closing.joined = joinSubmaps(loops.front());
   const std::uint32_t piece = graph_.keyframes().at(loops.front().newer).submap;
   const Steps steps = tiedSteps(graph_, piece, options_.pose_graph.min_shared_points);
-  optimisePoses(piece, kept());
+  optimisePoses(piece);
   for (const Loop& loop : loops) fuse(loop, closing);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
-  const auto window = globalWindow(graph_, piece, kept());
-  closing.removedPoints = adjust(graph_, window, adjustment, adjustment.global_iterations, stop).removedPoints;
-  if (fit(graph_, steps, loops_, options_.loop_confirmation)) {
-    graph_.endTrial();
-    return closing;
+  const auto adjusted = adjust(graph_, globalWindow(graph_, piece), adjustment, adjustment.global_iterations, stop);
+  if (!fit(graph_, steps, loops_, options_.loop_confirmation)) {
+    graph_.takeBack();
+    pieces_ = piecesBefore;
+    loops_.resize(loopsBefore);
+    ++loopsTakenBack_;
+    return false;
   }
-  graph_.takeBack();
-  pieces_ = piecesBefore;
-  loops_.resize(loopsBefore);
-  return std::nullopt;
+  graph_.endTrial();
+  ++loopsClosed_;
+  if (closing.joined) ++submapsJoined_;
+  update.movesTheMap = true;
+  update.joined = closing.joined;
+  update.fusedPoints = std::move(closing.fusedPoints);
+  update.removedPoints.insert(update.removedPoints.end(), adjusted.removedPoints.begin(), adjusted.removedPoints.end());
+  update.p_map_m.clear();  // with them the points fused away
+  describe(graph_, piece, update);
+  for (const Loop& loop : loops) {
+    for (const KeyframeId id : loop.place) {
+      if (graph_.keyframes().count(id) != 0) recall(id, update);
+    }
+  }
+  return true;
 }
 
 /// All that two pieces saw of each other's surfaces, and not only where they were found to meet, must be there.
@@ -328,13 +314,13 @@ std::optional<odometry::SubmapJoin> Mapper::joinSubmaps(const Loop& loop) {
   return join;
 }
 
-void Mapper::optimisePoses(std::uint32_t submap, const std::set<KeyframeId>& keep) {
+void Mapper::optimisePoses(std::uint32_t submap) {
   PoseGraph poses = makePoseGraph(graph_, submap, loops_, options_.pose_graph);
   std::set<std::pair<KeyframeId, KeyframeId>> loopEdges;
   for (const Loop& loop : loops_) loopEdges.emplace(loop.older, loop.newer);
   std::set<KeyframeId> held;
   for (const auto& [id, pose] : poses.nodes) {
-    if (isHeld(id) || keep.count(id) != 0) held.insert(id);
+    if (isHeld(id)) held.insert(id);
   }
   optimise(poses, loopEdges, held, options_.pose_graph);
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;

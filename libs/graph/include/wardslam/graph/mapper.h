@@ -66,9 +66,6 @@ class Mapper {
   odometry::MapUpdate adjustAll();
 
  private:
-  /// What a loop may bend to fit. What an earlier run has settled and this one has not touched is the last to give way.
-  enum class Bent { WhatIsTouched, All };
-
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
   void cullKeyframes(KeyframeId newest, odometry::MapUpdate& update);
   void remove(KeyframeId id, odometry::MapUpdate& update);
@@ -77,12 +74,10 @@ class Mapper {
   [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest);
   [[nodiscard]] bool isBelievable(const Loop& loop);
   bool close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update);
-  [[nodiscard]] std::optional<odometry::MapUpdate> closeWith(const std::vector<Loop>& loops, Bent bent,
-                                                             const std::atomic<bool>* stop);
   [[nodiscard]] bool agreesInDepth(const Loop& join) const;
   [[nodiscard]] odometry::SubmapJoin directionOf(std::uint32_t piece, std::uint32_t other) const;
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
-  void optimisePoses(std::uint32_t submap, const std::set<KeyframeId>& keep);
+  void optimisePoses(std::uint32_t submap);
   [[nodiscard]] bool isHeld(KeyframeId id) const { return graph_.keyframes().at(id).isHeld; }
   void fuse(const Loop& loop, odometry::MapUpdate& update);
   void recallAround(KeyframeId newest, odometry::MapUpdate& update);
