@@ -56,11 +56,11 @@ TEST_F(RosMapTest, ValuesBecomeCellsAsMapServerTakesThem) {
 
 TEST_F(RosMapTest, RefusesWhatItCannotPlace) {
   cv::imwrite((folder_.path() / "map.png").string(), cv::Mat(2, 2, CV_8UC1, cv::Scalar(0)));
-  EXPECT_THROW(readRosMap(folder_.path() / "none.yaml"), core::InputError);
-  EXPECT_THROW(readRosMap(written("image: map.png\nresolution: 0.5\n")), core::InputError);
-  EXPECT_THROW(readRosMap(written("image: none.png\nresolution: 0.5\norigin: [0, 0, 0]\n")), core::InputError);
-  EXPECT_THROW(readRosMap(written("image: map.png\nresolution: 0\norigin: [0, 0, 0]\n")), core::InputError);
-  EXPECT_THROW(readRosMap(written("image: map.png\nresolution: 0.5\norigin: [0, 0, 0.1]\n")), core::InputError);
+  EXPECT_THROW((void)readRosMap(folder_.path() / "none.yaml"), core::InputError);
+  EXPECT_THROW((void)readRosMap(written("image: map.png\nresolution: 0.5\n")), core::InputError);
+  EXPECT_THROW((void)readRosMap(written("image: none.png\nresolution: 0.5\norigin: [0, 0, 0]\n")), core::InputError);
+  EXPECT_THROW((void)readRosMap(written("image: map.png\nresolution: 0\norigin: [0, 0, 0]\n")), core::InputError);
+  EXPECT_THROW((void)readRosMap(written("image: map.png\nresolution: 0.5\norigin: [0, 0, 0.1]\n")), core::InputError);
 }
 
 }  // namespace
