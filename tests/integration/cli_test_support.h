@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gmock/gmock.h>
 #include <sys/types.h>
 
 #include <cstdint>
@@ -43,5 +44,10 @@ class RunningProgram {
 /// Runs one of our programs ("wardslam") to its end, without a shell. Throws std::runtime_error when it cannot be
 /// started.
 [[nodiscard]] CommandResult runProgram(const std::string& program, const std::vector<std::string>& arguments);
+
+/// What a run on rooms and desks says that show no floor; for `err`.
+inline testing::Matcher<std::string> nothingButOfTheFloor() {
+  return testing::MatchesRegex("(wardslam: no image shows the floor: [^\n]*\n)*");
+}
 
 }  // namespace wardslam::test

@@ -36,7 +36,7 @@ class NavDemo : public testing::Test {
 
 TEST_F(NavDemo, DeliversInTheTrueWorldByTheMapAlone) {
   const auto result =
-      deliver({"--to", "bed 1", "--truth", path("ward.rawlog"), "--runs", "2", "--json", "--picture", path("run.jpg")});
+      deliver({"--to", "bed 2", "--truth", path("ward.rawlog"), "--runs", "2", "--json", "--picture", path("run.jpg")});
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["runs"].size(), 2U);
   for (const auto& run : json["runs"]) {
