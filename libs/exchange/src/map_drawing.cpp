@@ -26,7 +26,7 @@ mrpt::img::TColor colorOf(const mapping::MapObject& object) {
 
 std::array<std::uint8_t, 3> colorOf(const mapping::SemanticPoint& point, CloudColor color) {
   if (color == CloudColor::Image) return point.color_rgb;
-  return point.classId == 0 ? kNoClass_rgb : mapping::semanticColor_rgb(point.classId);
+  return point.classId == 0 ? kNoClass_rgb : mapping::semanticColor(point.classId);
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace wardslam::exchange {
 
 std::shared_ptr<mrpt::maps::CColouredPointsMap> toColouredPoints(const mapping::SemanticMap& map) {
-  constexpr float kFull = 255.0F;
+  const auto share = [](std::uint8_t level) { return static_cast<float>(level) / 255.0F; };
   auto points = mrpt::maps::CColouredPointsMap::Create();
-  mapping::forEachCloudPoint(map, [&points](const Eigen::Vector3f& p_m, const mapping::SemanticPoint& point) {
+  mapping::forEachCloudPoint(map, [&](const Eigen::Vector3f& p_m, const mapping::SemanticPoint& point) {
     const auto [red, green, blue] = point.color_rgb;
-    points->insertPointRGB(p_m.x(), p_m.y(), p_m.z(), red / kFull, green / kFull, blue / kFull);
+    points->insertPointRGB(p_m.x(), p_m.y(), p_m.z(), share(red), share(green), share(blue));
   });
   return points;
 }

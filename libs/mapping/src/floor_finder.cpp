@@ -100,7 +100,7 @@ std::optional<Eigen::Hyperplane<double, 3>> findPlane(const Cloud::Ptr& all, con
   Cloud::Ptr rest = all;
   for (int i = 0; i < kMaxPlanes && rest->size() >= kMinPoints; ++i) {
     const auto inliers = pcl::make_shared<pcl::PointIndices>();
-    const auto plane = largestLevelPlane(rest, expected.maxTilt_rad, *inliers);
+    auto plane = largestLevelPlane(rest, expected.maxTilt_rad, *inliers);
     if (!plane) return std::nullopt;
     if (isAsExpected(*all, *plane, expected)) return plane;
     const auto others = pcl::make_shared<Cloud>();
@@ -175,7 +175,7 @@ std::optional<core::GroundPlane> findGround(const cv::Mat& depth_m, const core::
   if (expected.height_m) {  // most floor goes on as it was
     plane.normal_cam = expected.up_cam;
     plane.height_m = *expected.height_m;
-    if (const auto found = fitFrom(plane, points, camera.depthNoise, expected)) return found;
+    if (auto found = fitFrom(plane, points, camera.depthNoise, expected)) return found;
   }
   const Eigen::Matrix3d R_level_cam =
       Eigen::Quaterniond::FromTwoVectors(expected.up_cam, Eigen::Vector3d::UnitZ()).toRotationMatrix();

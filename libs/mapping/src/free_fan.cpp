@@ -112,7 +112,7 @@ std::vector<Eigen::Vector3f> freeFan(const cv::Mat& depth_m, const core::CameraM
   std::vector<Eigen::Vector3f> fan_cam_m;
   for (const Eigen::Vector2d& offset_m : panorama.freeOffsets_m(ground.isSeen, options)) {
     const Eigen::Vector3d atEyeLevel_m(offset_m.x(), offset_m.y(), 0.0);
-    fan_cam_m.push_back((T_ground_cam.linear().transpose() * atEyeLevel_m).cast<float>());
+    fan_cam_m.emplace_back((T_ground_cam.linear().transpose() * atEyeLevel_m).cast<float>());
   }
   return fan_cam_m;
 }

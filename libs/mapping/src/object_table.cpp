@@ -11,7 +11,7 @@ constexpr int kFewestViews = 2;
 void describe(const ObjectRecord& record, MapObject& row) {
   row.classId = record.classId();
   row.probability = record.probability();
-  row.color_rgb = semanticColor_rgb(row.classId);
+  row.color_rgb = semanticColor(row.classId);
   row.firstSeen_s = record.firstSeen_s;
   row.lastSeen_s = record.lastSeen_s;
   row.views = record.views;

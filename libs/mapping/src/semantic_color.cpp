@@ -2,7 +2,7 @@
 
 namespace wardslam::mapping {
 
-std::array<std::uint8_t, 3> semanticColor_rgb(core::ClassId id) {
+std::array<std::uint8_t, 3> semanticColor(core::ClassId id) {
   std::array<std::uint8_t, 3> color{};
   for (unsigned bit = 0; bit < 8; ++bit) {
     const unsigned channel = bit % 3;

@@ -10,8 +10,6 @@
 namespace wardslam::masks {
 namespace {
 
-using segmentation::Segmenter;
-
 /// Over a longer way the warp gets vague; it is better to go on from the masks carried so far.
 constexpr int kMaxSteps = 10;
 

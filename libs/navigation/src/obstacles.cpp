@@ -48,7 +48,7 @@ std::vector<Eigen::Vector3f> pointsOf(const core::Frame& frame, const Eigen::Iso
     const Eigen::Vector3d p_to_m = T_to_cam * point.p_cam_m;
     const double height_m = ground.heightOf_m(p_to_m);
     if (height_m < options.min_height_m || height_m > options.max_height_m) continue;
-    points_m.push_back(p_to_m.cast<float>());
+    points_m.emplace_back(p_to_m.cast<float>());
   }
   return points_m;
 }

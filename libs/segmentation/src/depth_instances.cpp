@@ -125,7 +125,9 @@ class Labelling {
   /// Whether one thing may go on behind what lies between these pixels.
   [[nodiscard]] bool isHidden(Pixel a, Pixel b, int stride) const {
     const float nearest_m = std::min(depth_m_[a], depth_m_[b]);
-    if ((b - a) / stride * static_cast<double>(nearest_m) > kWidestGap_m * options_.focalLength_px) return false;
+    const Pixel gap_px = (b - a) / stride;
+    if (static_cast<double>(gap_px) * static_cast<double>(nearest_m) > kWidestGap_m * options_.focalLength_px)
+      return false;
     for (Pixel p = a + stride; p < b; p += stride) {
       const bool isNearer = isMeasured(p) && depth_m_[p] < nearest_m - kInFront_m;
       const bool isShadow = !isMeasured(p) && classes_[p] == classes_[a];

@@ -96,7 +96,7 @@ DepthSegmenter::DepthSegmenter(const DepthOptions& options, OpenedNetwork opened
 
 Segmenter::Result DepthSegmenter::segment(const SegmenterInput& input) {
   const bool isRegistered = input.depth_m.size() == input.color_bgr.size() && input.depth_m.type() == CV_32FC1;
-  const double pixels = static_cast<double>(input.depth_m.total());
+  const auto pixels = static_cast<double>(input.depth_m.total());
   if (!isRegistered || pixels == 0.0 || cv::countNonZero(input.depth_m > 0.0F) < kMinMeasured * pixels) {
     return {{}, {{"segmentation.no_depth", 1}}};
   }
