@@ -23,6 +23,14 @@ TEST(IniSection, OverlaysPathsAndLeavesOutWhatIsSomebodyElses) {
   EXPECT_FALSE(root["theirs"]);
 }
 
+TEST(IniSection, LeavesOutRemarksBehindValues) {
+  YAML::Node root(YAML::NodeType::Map);
+  overlay(root, iniOf("[s]\na = 0.5   ; metres\nb = 7 // images\nc = x://y;z\n"), "s");
+  EXPECT_EQ(root["a"].as<double>(), 0.5);
+  EXPECT_EQ(root["b"].as<int>(), 7);
+  EXPECT_EQ(root["c"].as<std::string>(), "x://y;z");
+}
+
 TEST(IniSection, NamesAKeyBelowAValue) {
   const YAML::Node root = YAML::Load("{a: 1}");
   EXPECT_THROW(overlay(root, iniOf("[s]\na.b = 3\n"), "s"), InputError);

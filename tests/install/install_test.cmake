@@ -45,11 +45,22 @@ run(${CMAKE_COMMAND} -S ${EXAMPLES}/embedding -B ${WORK}/embedding -D CMAKE_PREF
 run(${CMAKE_COMMAND} --build ${WORK}/embedding)
 run(${WORK}/embedding/embedding ${WORK}/ward.rawlog ${WORK}/ward_labels/masks ${EXAMPLES}/embedding/embedding.ini)
 
+# MRPT's metric maps, a semantic one among them, made by somebody else's program.
+run(${WORK}/prefix/bin/rawlog-annotate ${WORK}/ward.rawlog --masks ${WORK}/ward_labels/masks --embed
+    -o ${WORK}/embedded.rawlog)
+run(${CMAKE_COMMAND} -S ${EXAMPLES}/metric_map -B ${WORK}/metric_map -D CMAKE_PREFIX_PATH=${WORK}/prefix
+    -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
+run(${CMAKE_COMMAND} --build ${WORK}/metric_map)
+run(${WORK}/metric_map/metric_map ${WORK}/embedded.rawlog ${WORK}/run/trajectory.txt
+    ${EXAMPLES}/metric_map/metric_map.ini ${WORK}/metric_map/maps)
+file(GLOB written ${WORK}/metric_map/maps*)
+if(NOT written)
+  message(FATAL_ERROR "examples/metric_map wrote no map")
+endif()
+
 # The plug-in in MRPT's own program, where there is one.
 find_program(rawlog_edit rawlog-edit)
 if(rawlog_edit)
-  run(${WORK}/prefix/bin/rawlog-annotate ${WORK}/ward.rawlog --masks ${WORK}/ward_labels/masks --embed
-      -o ${WORK}/embedded.rawlog)
   file(GLOB_RECURSE plugin ${WORK}/prefix/*/libwardslam-mrpt.so)
   execute_process(COMMAND ${rawlog_edit} -p ${plugin} -i ${WORK}/embedded.rawlog --info OUTPUT_VARIABLE info
                   ERROR_VARIABLE info)

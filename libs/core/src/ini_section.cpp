@@ -3,6 +3,7 @@
 #include <mrpt/config/CConfigFileBase.h>
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 
 #include "wardslam/core/errors.h"
@@ -22,6 +23,12 @@ void set(const YAML::Node& root, const std::string& path, const std::string& val
   node = value;
 }
 
+/// The value without a remark behind it ("0.1  ; metres", "0.1 // metres"), as MRPT's own numbers are read.
+std::string withoutRemark(const std::string& value) {
+  static const std::regex kRemark("\\s+(;|//).*$");
+  return std::regex_replace(value, kRemark, "");
+}
+
 void write(const YAML::Node& node, const std::string& path, mrpt::config::CConfigFileBase& ini,
            const std::string& section) {
   if (!node.IsMap()) return ini.write(section, path, node.as<std::string>(""));
@@ -38,7 +45,8 @@ void overlay(const YAML::Node& root, const mrpt::config::CConfigFileBase& ini, c
   std::vector<std::string> keys;
   ini.getAllKeys(section, keys);
   for (const auto& key : keys) {
-    if (std::find(except.begin(), except.end(), key) == except.end()) set(root, key, ini.read_string(section, key, ""));
+    if (std::find(except.begin(), except.end(), key) != except.end()) continue;
+    set(root, key, withoutRemark(ini.read_string(section, key, "")));
   }
 }
 
