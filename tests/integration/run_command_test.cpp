@@ -36,7 +36,7 @@ TEST_F(RunCommand, WritesTrajectorySummaryAndConfiguration) {
   const test::RoomRecording room(kImages);
   const auto result = run(room.path());
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.err, test::nothingButOfTheFloor()) << "not a terminal: no progress line";
+  EXPECT_EQ(result.err, test::noFloorIsSeen()) << "not a terminal: no progress line";
 
   const std::string number = " -?[0-9]+\\.[0-9]{9}";
   ASSERT_THAT(trajectory(), SizeIs(kImages));
@@ -101,7 +101,7 @@ TEST_F(RunCommand, MasksTakeKeypointsOut) {
   const test::RoomRecording room(kImages);
   const auto result = run(room.path(), {"--masks", room.masks()});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.err, test::nothingButOfTheFloor());
+  EXPECT_EQ(result.err, test::noFloorIsSeen());
   // A quarter of the picture, and key points keep 16 px off its border: (80 + 3 - 16) of (320 - 32) columns.
   EXPECT_NEAR(summary().at("dynamic_keypoint_fraction").get<double>(), 67.0 / 288.0, 0.04);
   EXPECT_THAT(trajectory(), SizeIs(kImages));
@@ -122,7 +122,7 @@ TEST_F(RunCommand, WithNothingSaidTheNetworkThatComesWithItSegments) {
 
   const auto again = run(room.path(), {"--config", out / "config.yaml"});
   EXPECT_EQ(again.exitCode, 0);
-  EXPECT_THAT(again.err, test::nothingButOfTheFloor()) << "a configuration says it";
+  EXPECT_EQ(again.err, test::noFloorIsSeen()) << "a configuration says it";
   EXPECT_EQ(test::readText(out / "config.yaml"), config);
 }
 
@@ -142,12 +142,12 @@ TEST_F(RunCommand, WithoutANetworkGeometryAloneDecides) {
   const test::RoomRecording room(kImages);
   const auto result = run(room.path(), {"--no-network"});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.err, test::nothingButOfTheFloor());
+  EXPECT_EQ(result.err, test::noFloorIsSeen());
   const std::string told = test::readText(out / "config.yaml");
 
   const auto asked = run(room.path(), {"--filter", "geometric"});
   EXPECT_EQ(asked.exitCode, 0);
-  EXPECT_THAT(asked.err, test::nothingButOfTheFloor());
+  EXPECT_EQ(asked.err, test::noFloorIsSeen());
   EXPECT_EQ(test::readText(out / "config.yaml"), told);
   EXPECT_THAT(told, AllOf(HasSubstr("GeometricMotionFilter"), Not(HasSubstr("SemanticDynamicFilter"))));
 }
@@ -263,7 +263,7 @@ TEST_F(RunCommand, AnInterruptionLeavesCompleteFiles) {
   program.send(SIGINT);
   const auto result = program.wait();
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.err, test::nothingButOfTheFloor());
+  EXPECT_EQ(result.err, test::noFloorIsSeen());
 
   const auto json = summary();
   EXPECT_TRUE(json.at("interrupted").get<bool>());
@@ -278,7 +278,7 @@ TEST_F(RunCommand, ARealRecording) {
   const auto result = run(recording, {"--camera", fs::path(WARDSLAM_CONFIG_DIR) / "cameras" / "tum_freiburg1.yaml",
                                       "--masks", recording / "masks", "--max-frames", "20", "--pictures"});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.err, test::nothingButOfTheFloor());
+  EXPECT_EQ(result.err, test::noFloorIsSeen());
   EXPECT_THAT(trajectory(), SizeIs(20));
   EXPECT_TRUE(summary().at("events").empty()) << "every image has its mask: " << summary().at("events");
   EXPECT_EQ(std::distance(fs::directory_iterator(out / "pictures"), {}), 2);
