@@ -46,7 +46,8 @@ TEST(DefaultRun, MakesTheMapOfADeterministicOne) {
   EXPECT_EQ(found.fans, found.keyframes);
   EXPECT_EQ(viewsWorkedIn(floorRunWithThreads()), viewsWorkedIn(floorRun()));
   expectWithin(kShare, static_cast<double>(found.objects), static_cast<double>(wanted.objects), "things");
-  for (const auto& [event, count] : floorRunWithThreads().summary().at("events").items()) {
+  const nlohmann::json events = floorRunWithThreads().summary().at("events");
+  for (const auto& [event, count] : events.items()) {
     EXPECT_NE(event.rfind("mapping.", 0), 0U) << event << ": " << count;
     EXPECT_NE(event.rfind("storage.", 0), 0U) << event << ": " << count;
   }
