@@ -3,12 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "arguments.h"
+#include "arguments/arguments.h"
 #include "support/command_line.h"
 #include "support/interruption.h"
 #include "support/program.h"
 #include "support/progress.h"
-#include "synthesis.h"
+#include "synthesis/synthesis.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 usage: check_layout.py PROJECT_ROOT
 
 The floors are read from the table of rooms in docs/architecture.md: a room may include and link only rooms on lower
-floors. Every violation is printed as "file:line: what"; the exit code is 1 when there is one.
+floors. So it is with the folders of a program that has some, by the table of `program/folder`. Every violation is printed as "file:line: what"; the exit code is 1 when there is one.
 """
 
 import re
@@ -12,8 +12,9 @@ import sys
 from pathlib import Path
 
 MAX_LINES = 450
-CODE_FOLDERS = ("libs", "apps", "rawlog_tools", "tests")
-FLOOR_ROW = re.compile(r"^\|\s*(\d+)\s*\|\s*`(\w+)`\s*\|")
+PROGRAM_FOLDERS = ("apps", "rawlog_tools")
+CODE_FOLDERS = ("libs", *PROGRAM_FOLDERS, "tests")
+FLOOR_ROW = re.compile(r"^\|\s*(\d+)\s*\|\s*`([\w-]+(?:/\w+)?)`\s*\|")
 MRPT_COMPAT = re.compile(r"libs/core/include/wardslam/core/mrpt_(\w+_)?compat\.h")
 MRPT_VERSION = re.compile(r"MRPT_VERSION|__has_include\s*\(\s*[<\"]mrpt/|\bDEFINE_VIRTUAL_MRPT_OBJECT")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
@@ -24,7 +25,7 @@ COMMENT_OR_STRING = re.compile(
 
 
 def read_floors(root):
-    """Room name -> floor."""
+    """Room, or program/folder -> floor."""
     table = root / "docs/architecture.md"
     lines = table.read_text(encoding="utf-8").splitlines() if table.exists() else []
     return {row[2]: int(row[1]) for row in map(FLOOR_ROW.match, lines) if row}
@@ -59,11 +60,15 @@ class Checker:
             self.report(self.root / "docs/architecture.md", 1, "no table of rooms found ('| floor | `room` | ...')")
         for folder in sorted(path for path in (self.root / "libs").iterdir() if path.is_dir()):
             self.check_room(folder)
+        for folder in self.folders_of_programs():
+            self.check_folder(folder)
         for path in (path for folder in CODE_FOLDERS for path in sources(self.root / folder)):
             self.check_shape(path)
             self.check_mrpt_version(path)
         for path in sorted((self.root / "tests").glob("*/*_test.cpp")):
             self.check_mirrors_source(path)
+        for path in sorted((self.root / "tests").glob("*/*/*_test.cpp")):
+            self.check_mirrors_folder(path)
         return self.violations
 
     def report(self, path, line, what):
@@ -111,6 +116,34 @@ class Checker:
             self.report(path, number, f"{room} (floor {self.floors[room]}) {verb} {other} (floor "
                                       f"{self.floors[other]}); only lower floors are allowed")
 
+    def programs(self):
+        for above in PROGRAM_FOLDERS:
+            yield from sorted(path for path in (self.root / above).glob("*") if path.is_dir())
+
+    def folders_of_programs(self):
+        for program in self.programs():
+            yield from sorted(path for path in program.iterdir() if path.is_dir() and sources(path))
+
+    def check_folder(self, folder):
+        program = folder.parent
+        own = f"{program.name}/{folder.name}"
+        if own not in self.floors:
+            self.report(folder, 1, f"folder '{own}' has no floor in docs/architecture.md")
+            return
+        for path in sources(folder):
+            for number, line in numbered(blanked(path.read_text(encoding="utf-8"), strings=False)):
+                include = INCLUDE.match(line)
+                if include:
+                    self.check_include_of_folder(program, folder.name, path, number, include[1])
+
+    def check_include_of_folder(self, program, folder, path, number, target):
+        own, other = f"{program.name}/{folder}", f"{program.name}/{Path(target).parts[0]}"
+        if "/" not in target and (program / target).exists():
+            self.report(path, number, f"{folder} includes {target}, which lies in no folder")
+        elif other in self.floors and other != own and self.floors[other] >= self.floors[own]:
+            self.report(path, number, f"{folder} (floor {self.floors[own]}) includes {Path(target).parts[0]} (floor "
+                                      f"{self.floors[other]}); only lower floors are allowed")
+
     def check_shape(self, path):
         lines = path.read_text(encoding="utf-8").splitlines()
         if path.suffix == ".h" and "#pragma once" not in lines:
@@ -130,6 +163,17 @@ class Checker:
         name = path.name[: -len("_test.cpp")]
         if room in self.floors and not any(source.stem == name for source in sources(self.root / "libs" / room)):
             self.report(path, 1, f"mirrors nothing: libs/{room} has no {name}.h or {name}.cpp")
+
+    def check_mirrors_folder(self, path):
+        """Of tests/<program>/<folder>/; in the tests' names '-' is '_'."""
+        name = path.name[: -len("_test.cpp")]
+        for program in self.programs():
+            folders = [own for own in self.floors if own.startswith(f"{program.name}/")]
+            if not folders or program.name.replace("-", "_") != path.parent.parent.name:
+                continue
+            if not any(source.stem == name for source in sources(program / path.parent.name)):
+                folder = (program / path.parent.name).relative_to(self.root)
+                self.report(path, 1, f"mirrors nothing: {folder} has no {name}.h or {name}.cpp")
 
 
 def main():

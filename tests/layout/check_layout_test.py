@@ -13,6 +13,12 @@ TABLE = """| floor | room | what |
 | 2 | `features` | x |
 | 2 | `knowledge` | x |
 | 3 | `filters` | x |
+
+| floor | folder | what |
+|---|---|---|
+| 1 | `tool/camera` | x |
+| 1 | `tool/sensors` | x |
+| 2 | `tool/output` | x |
 """
 
 
@@ -116,6 +122,43 @@ class LayoutTest(unittest.TestCase):
 
     def test_test_without_a_source(self):
         self.assert_single({"tests/core/gone_test.cpp": ""}, "tests/core/gone_test.cpp:1: mirrors nothing")
+
+    def test_accepts_folders_of_a_program_that_keep_the_rules(self):
+        self.assertEqual([], self.violations({
+            "apps/tool/main.cpp": '#include "output/b.h"\n#include "support/progress.h"\n',
+            "apps/tool/camera/a.h": "#pragma once\n",
+            "apps/tool/output/b.h": '#pragma once\n#include "camera/a.h"\n#include "wardslam/core/x.h"\n',
+            "tests/tool/output/b_test.cpp": "",
+            "tests/tool/program_test.cpp": "",
+        }))
+
+    def test_upward_include_within_a_program(self):
+        self.assert_single({"rawlog_tools/tool/camera/a.cpp": '\n#include "output/b.h"\n'},
+                           "rawlog_tools/tool/camera/a.cpp:2: camera (floor 1) includes output (floor 2)")
+
+    def test_include_on_the_same_floor_of_a_program(self):
+        self.assert_single({"apps/tool/camera/a.cpp": '#include "sensors/b.h"\n'},
+                           "apps/tool/camera/a.cpp:1: camera (floor 1) includes sensors (floor 1)")
+
+    def test_folder_that_includes_what_lies_above_all_folders(self):
+        self.assert_single({"apps/tool/camera/a.cpp": '#include "b.h"\n', "apps/tool/b.h": "#pragma once\n"},
+                           "apps/tool/camera/a.cpp:1: camera includes b.h, which lies in no folder")
+
+    def test_folder_of_a_program_without_floor(self):
+        self.assert_single({"apps/tool/attic/a.cpp": ""}, "apps/tool/attic:1: folder 'tool/attic' has no floor")
+
+    def test_folders_are_no_rooms(self):
+        self.assert_single({"libs/camera/src/a.cpp": ""}, "libs/camera:1: room 'camera' has no floor")
+
+    def test_test_without_a_source_in_a_folder_of_a_program(self):
+        self.assert_single({"apps/tool/camera/a.cpp": "", "tests/tool/output/a_test.cpp": ""},
+                           "tests/tool/output/a_test.cpp:1: mirrors nothing")
+
+    def test_names_of_programs_and_of_their_tests(self):
+        table = TABLE.replace("tool/", "my-tool/")
+        self.assert_single({"docs/architecture.md": table, "apps/my-tool/camera/a.cpp": "",
+                            "tests/my_tool/camera/a_test.cpp": "", "tests/my_tool/camera/b_test.cpp": ""},
+                           "tests/my_tool/camera/b_test.cpp:1: mirrors nothing")
 
 
 if __name__ == "__main__":

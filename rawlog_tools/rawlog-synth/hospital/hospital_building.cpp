@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "furniture.h"
+#include "furniture/furniture.h"
 #include "hospital/hospital_sight.h"
 #include "hospital/hospital_textures.h"
 

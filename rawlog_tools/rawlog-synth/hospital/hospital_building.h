@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hospital/hospital_plan.h"
-#include "scene.h"
+#include "scene/scene.h"
 
 namespace wardslam::synth {
 

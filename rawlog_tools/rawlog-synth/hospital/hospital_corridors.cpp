@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "hospital/hospital_rooms.h"
-#include "mesh.h"
+#include "scene/mesh.h"
 
 namespace wardslam::synth {
 namespace {

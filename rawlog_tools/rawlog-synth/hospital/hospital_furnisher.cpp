@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 namespace wardslam::synth {
 

@@ -5,9 +5,10 @@
 #include <iterator>
 #include <limits>
 
-#include "furniture.h"
-#include "hospital/hospital_furniture.h"
-#include "scene_builder.h"
+#include "furniture/furniture.h"
+#include "furniture/hospital_furniture.h"
+#include "people/patient.h"
+#include "scene/classes.h"
 
 namespace wardslam::synth {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene.h"
+#include "scene/scene.h"
 
 /// What stands and hangs in a hospital, as things with an identity that lasts over all days.
 namespace wardslam::synth {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 namespace wardslam::synth {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hospital/hospital_furniture.h"
+#include "furniture/hospital_furniture.h"
 #include "hospital/hospital_sight.h"
-#include "mesh.h"
+#include "scene/mesh.h"
 
 namespace wardslam::synth {
 namespace {

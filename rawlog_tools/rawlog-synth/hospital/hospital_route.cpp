@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera_path.h"
+#include "camera/camera_path.h"
 #include "hospital/hospital_tour.h"
 
 namespace wardslam::synth {

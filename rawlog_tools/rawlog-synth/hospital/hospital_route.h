@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "camera_mount.h"
-#include "closed_route.h"
+#include "camera/camera_mount.h"
+#include "camera/closed_route.h"
 #include "hospital/hospital_plan.h"
 
 namespace wardslam::synth {

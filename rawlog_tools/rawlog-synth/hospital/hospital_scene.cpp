@@ -4,11 +4,9 @@
 #include <map>
 #include <utility>
 
-#include "floor_truth.h"
-#include "furniture.h"
+#include "furniture/hospital_furniture.h"
 #include "hospital/hospital_building.h"
 #include "hospital/hospital_furnishing.h"
-#include "hospital/hospital_furniture.h"
 #include "hospital/hospital_identities.h"
 #include "hospital/hospital_sight.h"
 #include "hospital/hospital_storeys.h"
@@ -16,6 +14,9 @@
 #include "hospital/hospital_truth.h"
 #include "hospital/hospital_ways.h"
 #include "life/life.h"
+#include "people/patient.h"
+#include "scene/classes.h"
+#include "scene/floor_truth.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::synth {
@@ -40,31 +41,32 @@ Density densityOf(const SceneOptions& scene, const HospitalOptions& options) {
 }
 
 /// Another day, or for another robot, other people are about.
-std::uint32_t lifeSeed(const PlaceOptions& options) {
-  const auto day = static_cast<std::uint32_t>(options.hospital.day);
-  const auto robot = static_cast<std::uint32_t>(options.hospital.route.robot);
-  return options.scene.seed + 7919U * day + 104729U * robot;
+std::uint32_t lifeSeed(std::uint32_t seed, const HospitalOptions& options) {
+  const auto day = static_cast<std::uint32_t>(options.day);
+  const auto robot = static_cast<std::uint32_t>(options.route.robot);
+  return seed + 7919U * day + 104729U * robot;
 }
 
-std::vector<Hospital> makeStoreys(const PlaceOptions& options) {
-  HospitalOptions one = options.hospital;
-  if (one.storey < 0 || one.storey >= one.storeys)
-    throw core::InputError("--storey " + std::to_string(one.storey) + ": there are " + std::to_string(one.storeys) +
-                           ", numbered from 0; see --storeys");
+std::vector<Hospital> makeStoreys(const SceneOptions& scene, HospitalOptions options) {
+  if (options.storey < 0 || options.storey >= options.storeys)
+    throw core::InputError("--storey " + std::to_string(options.storey) + ": there are " +
+                           std::to_string(options.storeys) + ", numbered from 0; see --storeys");
   std::vector<Hospital> storeys;
-  for (one.storey = 0; one.storey < options.hospital.storeys; ++one.storey)
-    storeys.push_back(makeHospital(options.scene, one));
+  for (options.storey = 0; options.storey < options.storeys; ++options.storey)
+    storeys.push_back(makeHospital(scene, options));
   return storeys;
 }
 
 /// With those who live there, its floor at z = 0.
-Scene livelyStorey(const Hospital& storey, const PlaceOptions& options, double duration_s) {
-  Scene scene = buildHospital(storey, options.scene.seed);
+Scene livelyStorey(const Hospital& storey, const SceneOptions& options, const HospitalOptions& hospital,
+                   double duration_s) {
+  Scene scene = buildHospital(storey, options.seed);
   Ways ways = waysOf(storey, scene);
-  if (storey.plan.storey != options.hospital.storey) ways.camera_m = [](double) { return kNobodyDrives_m; };
-  const std::uint32_t seed = lifeSeed(options) + 15485863U * static_cast<std::uint32_t>(storey.plan.storey);
+  if (storey.plan.storey != hospital.storey) ways.camera_m = [](double) { return kNobodyDrives_m; };
+  const std::uint32_t seed =
+      lifeSeed(options.seed, hospital) + 15485863U * static_cast<std::uint32_t>(storey.plan.storey);
   addLife(scene, static_cast<std::uint16_t>(firstVisitorId(storey.plan.storey)), ways,
-          {densityOf(options.scene, options.hospital), seed, duration_s});
+          {densityOf(options, hospital), seed, duration_s});
   return scene;
 }
 
@@ -107,20 +109,20 @@ Ways waysOf(const Hospital& hospital, const Scene& scene) {
   return ways;
 }
 
-Setting hospitalSetting(const PlaceOptions& options, const CameraMount& mount) {
-  const std::vector<Hospital> storeys = makeStoreys(options);
-  const auto driven = static_cast<std::size_t>(options.hospital.storey);
+Setting hospitalSetting(const SceneOptions& scene, const HospitalOptions& options, const CameraMount& mount) {
+  const std::vector<Hospital> storeys = makeStoreys(scene, options);
+  const auto driven = static_cast<std::size_t>(options.storey);
   const HospitalRoute& route = storeys[driven].route;
-  const float floorZ_m = floorZOf(options.hospital.storey);
+  const float floorZ_m = floorZOf(options.storey);
   Setting setting;
   setting.duration_s = route.round_s();
   std::vector<Scene> scenes;
-  for (const Hospital& storey : storeys) scenes.push_back(livelyStorey(storey, options, setting.duration_s));
+  for (const Hospital& storey : storeys) scenes.push_back(livelyStorey(storey, scene, options, setting.duration_s));
   setting.scene = stacked(std::move(scenes), driven);
   setting.T_world_cam = [route, mount, floorZ_m](double t_s) -> Eigen::Isometry3d {
     return Eigen::Translation3d(0, 0, static_cast<double>(floorZ_m)) * route.T_world_cam(t_s, mount);
   };
-  setting.floorPlan = [floorZ_m](const Scene& scene, double until_s) { return trueFloorAt(scene, until_s, floorZ_m); };
+  setting.floorPlan = [floorZ_m](const Scene& built, double until_s) { return trueFloorAt(built, until_s, floorZ_m); };
   if (storeys.size() > 1) setting.storeyAt = [n = storeys.size()](double z_m) { return storeyAt(z_m, n); };
   setting.roomAt = [storeys](const Eigen::Vector3d& p_m) {
     const HospitalPlan& plan = storeys[static_cast<std::size_t>(storeyAt(p_m.z(), storeys.size()))].plan;

@@ -3,12 +3,13 @@
 #include <memory>
 #include <vector>
 
+#include "camera/camera_mount.h"
 #include "hospital/hospital_days.h"
 #include "hospital/hospital_options.h"
 #include "hospital/hospital_plan.h"
 #include "hospital/hospital_route.h"
-#include "hospital/ways.h"
-#include "place.h"
+#include "life/ways.h"
+#include "scene/setting.h"
 
 namespace wardslam::synth {
 
@@ -29,6 +30,7 @@ struct Hospital {
 [[nodiscard]] Ways waysOf(const Hospital& hospital, const Scene& scene);
 
 /// Throws core::InputError when there is no such storey.
-[[nodiscard]] Setting hospitalSetting(const PlaceOptions& options, const CameraMount& mount);
+[[nodiscard]] Setting hospitalSetting(const SceneOptions& scene, const HospitalOptions& options,
+                                      const CameraMount& mount);
 
 }  // namespace wardslam::synth

@@ -6,8 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include "furniture.h"
-
 namespace wardslam::synth {
 namespace {
 

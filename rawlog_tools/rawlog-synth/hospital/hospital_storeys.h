@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hospital/hospital_plan.h"
-#include "scene.h"
+#include "scene/scene.h"
 
 /// Storeys one above the other, the lowest at z = 0.
 namespace wardslam::synth {

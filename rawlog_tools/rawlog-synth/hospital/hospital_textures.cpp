@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "hospital/hospital_furniture.h"
-#include "paint.h"
-#include "texture_painters.h"
+#include "furniture/hospital_furniture.h"
+#include "textures/paint.h"
+#include "textures/texture_painters.h"
 
 namespace wardslam::synth {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "textures.h"
+#include "textures/textures.h"
 
 namespace wardslam::synth {
 

@@ -5,7 +5,7 @@
 
 #include "hospital/hospital_items.h"
 #include "hospital/hospital_plan.h"
-#include "hospital/ways.h"
+#include "life/ways.h"
 
 namespace wardslam::synth {
 

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "scene.h"
+#include "scene/scene.h"
 
 namespace wardslam::synth {
 

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "furniture.h"
-#include "hospital/hospital_furniture.h"
+#include "furniture/furniture.h"
+#include "furniture/hospital_furniture.h"
+#include "furniture/odd_machine.h"
 #include "life/errands.h"
 #include "life/life_actors.h"
-#include "life/odd_machine.h"
-#include "life/outfits.h"
-#include "scene_builder.h"
+#include "people/outfits.h"
+#include "people/patient.h"
+#include "scene/classes.h"
 
 namespace wardslam::synth {
 namespace {

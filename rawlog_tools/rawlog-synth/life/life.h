@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "hospital/ways.h"
-#include "scene.h"
+#include "life/ways.h"
+#include "scene/scene.h"
 
 namespace wardslam::synth {
 

@@ -1,10 +1,8 @@
 #include "life/life_actors.h"
+#include "scene/classes.h"
 
 #include <limits>
 #include <utility>
-
-#include "furniture.h"
-#include "scene_builder.h"
 
 namespace wardslam::synth {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "life/society.h"
-#include "scene.h"
+#include "scene/scene.h"
 
 namespace wardslam::synth {
 

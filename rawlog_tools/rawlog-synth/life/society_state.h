@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "life/figure.h"
+#include "people/figure.h"
 
 /// What a society of people and the things they move are at one time; plain values that can be kept and compared.
 namespace wardslam::synth {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "hospital/ways.h"
+#include "life/ways.h"
 
 namespace wardslam::synth {
 

@@ -1,0 +1,42 @@
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "arguments/arguments.h"
+
+namespace wardslam::synth {
+
+void declareHospital(CLI::App& app, HospitalOptions& options) {
+  const std::map<std::string, RouteKind> routes = {{"tour", RouteKind::Tour},
+                                                   {"wards", RouteKind::Wards},
+                                                   {"round", RouteKind::Round},
+                                                   {"corridor", RouteKind::Corridor},
+                                                   {"lobby", RouteKind::Lobby}};
+  app.option_defaults()->group("Hospital");
+  app.add_option("--route", options.route.kind,
+                 "tour: 500 m and more through everything; wards: one lap that calls at every open ward, some 240 m; "
+                 "round: one lap, some 140 m; corridor: the long one up and down, some 120 m; lobby: some 25 m")
+      ->transform(CLI::CheckedTransformer(routes));
+  app.add_option("--robot", options.route.robot, "another robot: it begins elsewhere and drives in another order")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--day", options.day, "so many days later: things were moved, taken away and brought")
+      ->check(CLI::Range(0, kLastDay))
+      ->capture_default_str();
+  app.add_option("--storeys", options.storeys, "so many, one above the other; each has rooms and people of its own")
+      ->check(CLI::Range(1, kMostStoreys))
+      ->capture_default_str();
+  app.add_option("--storey", options.storey, "which of them is driven on, from 0, the lowest")
+      ->check(CLI::Range(0, kMostStoreys - 1))
+      ->capture_default_str();
+  std::vector<std::string> names;
+  for (const auto& [name, density] : densities()) names.push_back(name);
+  app.add_option_function<std::string>(
+         "--people", [&options](const std::string& name) { options.people = densities().at(name); },
+         "who walks about: none, few (10), normal (26), busy (54) or crowd (90, some of them around the camera)")
+      ->check(CLI::IsMember(names))
+      ->default_str("normal");
+}
+
+}  // namespace wardslam::synth
