@@ -54,7 +54,7 @@ struct Moved {
 
 Portable pushedBy(const Eigen::AlignedBox2d& footprint_m, double handleZ_m) {
   Portable portable;
-  portable.holderX_m = footprint_m.min().x() - static_cast<double>(kReach_m) + 0.02;
+  portable.holderX_m = footprint_m.min().x() - static_cast<double>(anatomy::kReach_m) + 0.02;
   portable.pivotX_m = footprint_m.center().x();
   portable.handleZ_m = handleZ_m;
   portable.width_m = footprint_m.sizes().y();
@@ -246,7 +246,7 @@ class LifeMaker {
   void addMember(Role role) {
     Member member;
     looks_.push_back(randomLook(role, rng_));
-    member.stride_m = strideLength_m(looks_.back());
+    member.stride_m = anatomy::strideLength_m(looks_.back().height_m);
     const bool slow = role == Role::Patient;
     member.walks_mps = slow ? 0.6 + 0.25 * rollDice(dice_) : 0.85 + 0.55 * rollDice(dice_);
     member.dice = dice_ ^ (0xABCDULL * (looks_.size() + 1));

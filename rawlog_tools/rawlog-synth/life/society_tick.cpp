@@ -221,7 +221,7 @@ class Turn {
     const double lifting = std::clamp((u * (kReach_s + kLift_s) - kReach_s) / kLift_s, 0.0, 1.0);
     const double z_m = portable.carried ? kLifted_m * soft(lifting) : 0.0;
     state_.things[index].z_m = z_m;
-    pose.reachX_m = portable.carried ? 0.36 : kReach_m;
+    pose.reachX_m = portable.carried ? 0.36 : anatomy::kReach_m;
     pose.reachZ_m = portable.handleZ_m + z_m;
   }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "furniture/furniture.h"
+#include "people/anatomy.h"
 
 namespace wardslam::synth {
 namespace {
@@ -19,8 +20,8 @@ Eigen::Isometry3d T_world_walker(const Gait& gait) {
 
 }  // namespace
 
-PersonActor::PersonActor(Label label, Walker walker, Body body, Material outfit, PushingTime pushing)
-    : Actor(std::move(label)), walker_(std::move(walker)), body_(body), outfit_(outfit), pushing_(pushing) {}
+PersonActor::PersonActor(Label label, Walker walker, Look look, PushingTime pushing)
+    : Actor(std::move(label)), walker_(std::move(walker)), look_(look), pushing_(pushing) {}
 
 double PersonActor::reachingAt(double t_s) const {
   if (pushing_.until_s <= pushing_.from_s) return 0.0;
@@ -32,10 +33,10 @@ double PersonActor::reachingAt(double t_s) const {
 Surfaces PersonActor::surfacesAt(double t_s) const {
   const Gait gait = walker_.at(t_s);
   Posture posture;
-  posture.stride_rad = 2 * M_PI * gait.walked_m / strideLength_m(body_);
+  posture.stride_rad = 2 * M_PI * gait.walked_m / anatomy::strideLength_m(look_.height_m);
   posture.swing = std::min(1.0, gait.speed_mps / kBriskWalk_mps);
   posture.reaching = reachingAt(t_s);
-  return placed({{outfit_, posePerson(body_, posture)}}, T_world_walker(gait).cast<float>());
+  return placed({{look_.outfit, posePerson(look_, posture)}}, T_world_walker(gait).cast<float>());
 }
 
 bool PersonActor::isMovingAt(double t_s) const {
@@ -58,7 +59,7 @@ TrolleyActor::TrolleyActor(Label label, Walker pusher, double until_s, Surfaces 
 
 Eigen::Isometry3d TrolleyActor::T_world_trolley(double t_s) const {
   const Gait gait = pusher_.at(std::min(t_s, until_s_));
-  return T_world_walker(gait) * Eigen::Translation3d(kReach_m - kTrolleyHandleX_m, 0.0, 0.0);
+  return T_world_walker(gait) * Eigen::Translation3d(anatomy::kReach_m - kTrolleyHandleX_m, 0.0, 0.0);
 }
 
 Surfaces TrolleyActor::surfacesAt(double t_s) const { return placed(model_, T_world_trolley(t_s).cast<float>()); }

@@ -14,7 +14,7 @@ struct PushingTime {
 
 class PersonActor : public Actor {
  public:
-  PersonActor(Label label, Walker walker, Body body, Material outfit, PushingTime pushing = {});
+  PersonActor(Label label, Walker walker, Look look, PushingTime pushing = {});
 
   [[nodiscard]] Surfaces surfacesAt(double t_s) const override;
   [[nodiscard]] bool isMovingAt(double t_s) const override;
@@ -26,8 +26,7 @@ class PersonActor : public Actor {
   [[nodiscard]] double reachingAt(double t_s) const;
 
   Walker walker_;
-  Body body_;
-  Material outfit_;
+  Look look_;
   PushingTime pushing_;
 };
 

@@ -1,23 +1,10 @@
 #pragma once
 
-#include "people/person.h"
+#include "people/anatomy.h"
+#include "people/look.h"
 #include "scene/mesh.h"
-#include "scene/scene.h"
 
 namespace wardslam::synth {
-
-enum class Garment { Shirt, Tunic, Coat, Gown };
-
-/// Who somebody is, to the eye.
-struct Look {
-  float height_m = 1.75F;
-  float girth = 1.0F;  ///< 1 = slim, 1.4 = stout.
-  HairStyle hair = HairStyle::Short;
-  bool bald = false;
-  Garment garment = Garment::Shirt;
-  bool longSleeves = false;
-  Material outfit = Material::OutfitVisitor;
-};
 
 /// What a body does. All parts can be mixed and change continuously.
 struct FigurePose {
@@ -27,7 +14,7 @@ struct FigurePose {
   double seat_m = 0.48;     ///< Height of that seat.
   double footrest_m = 0.0;  ///< Height of what the feet of one who sits stand on.
   double reaching = 0.0;    ///< 0 arms hang … 1 both hands at `reachX_m`, `reachZ_m`.
-  double reachX_m = kReach_m;
+  double reachX_m = anatomy::kReach_m;
   double reachZ_m = 1.02;
   double gesture = 0.0;   ///< 0 … 1 one hand raised in talk.
   double turn_rad = 0.0;  ///< Of the head, to the left.
@@ -35,12 +22,9 @@ struct FigurePose {
   [[nodiscard]] bool operator==(const FigurePose& other) const;
 };
 
-/// A body of that look, x to the front, z up, the origin on the floor under its hips; textured as the namespace outfit
-/// says. One who sits has the feet kSeatedFeet_m in front of the hips.
+/// A body in the clothes of its look, x to the front, z up, the origin on the floor under its hips; textured as the
+/// namespace outfit says. One who sits has the feet kSeatedFeet_m in front of the hips.
 [[nodiscard]] Mesh poseFigure(const Look& look, const FigurePose& pose);
-
-/// How far a body travels in one cycle of the walk.
-[[nodiscard]] double strideLength_m(const Look& look);
 
 constexpr double kSeatedFeet_m = 0.42;
 constexpr float kHipAboveSeat_m = 0.1F;  ///< Of the joint, at girth 1.

@@ -8,11 +8,9 @@
 namespace wardslam::synth::figure {
 namespace {
 
-Mesh dressed(Mesh mesh, const cv::Rect2f& cloth) {
-  // A small inset keeps interpolation from drawing in the neighbour's colour.
-  constexpr float kInset = 0.008F;
-  return mesh.mapUv({cloth.x + kInset, cloth.y + kInset}, {cloth.width - 2 * kInset, cloth.height - 2 * kInset});
-}
+using namespace anatomy;
+
+Mesh dressed(const Mesh& mesh, const cv::Rect2f& cloth) { return anatomy::dressed(mesh, cloth, 0.008F); }
 
 /// Limb hanging down from its joint at the origin, with its bulk at `bulk` (0 top … 1 bottom).
 Mesh limb(float length, float top, float middle, float bottom, float bulk = 0.35F) {
@@ -44,24 +42,17 @@ float hemOf(Garment garment) {
 }
 
 Mesh makeHair(HairStyle style) {
-  Mesh hair = loft({{0.02F, 0.088F, 0.078F, -0.022F},
-                    {0.07F, 0.108F, 0.09F, -0.012F},
-                    {0.13F, 0.108F, 0.088F, -0.006F},
-                    {0.17F, 0.075F, 0.062F, -0.008F},
-                    {0.186F, 0.0F, 0.0F, -0.01F}},
-                   18);
-  // Cut free from the forehead down: what would cover the face is pushed to the back of it.
-  for (Vertex& vertex : hair.vertices) {
-    if (vertex.p_m.z() < 0.1F) vertex.p_m.x() = std::min(vertex.p_m.x(), 0.012F);
-  }
+  Mesh hair = cutFree(loft({{0.02F, 0.088F, 0.078F, -0.022F},
+                            {0.07F, 0.108F, 0.09F, -0.012F},
+                            {0.13F, 0.108F, 0.088F, -0.006F},
+                            {0.17F, 0.075F, 0.062F, -0.008F},
+                            {0.186F, 0.0F, 0.0F, -0.01F}},
+                           18),
+                      0.012F);
   if (style == HairStyle::Bun) hair.append(ellipsoid({0.05F, 0.055F, 0.05F}).transform(at(-0.13F, 0, 0.1F)));
   if (style == HairStyle::Long) hair.append(ellipsoid({0.05F, 0.09F, 0.17F}).transform(at(-0.07F, 0, -0.03F)));
   return hair;
 }
-
-}  // namespace
-
-float shoulderOffset_m(const Look& look) { return 0.196F * (0.88F + 0.12F * look.girth); }
 
 Mesh makeThigh(const Look& look) {
   const float g = look.girth;
@@ -72,12 +63,6 @@ Mesh makeShin(const Look& look) {
   const float g = 0.5F + 0.5F * look.girth;
   if (bareShins(look)) return dressed(limb(kShin_m, 0.056F * g, 0.06F * g, 0.04F), outfit::kSkin);
   return dressed(limb(kShin_m, 0.066F * g, 0.068F * g, 0.058F * g), outfit::kTrousers);
-}
-
-Mesh makeShoe() {
-  Mesh shoe = ellipsoid({0.14F, 0.05F, 0.055F}, 6, 12).transform(at(0.055F, 0, -0.03F));
-  for (Vertex& vertex : shoe.vertices) vertex.p_m.z() = std::max(vertex.p_m.z(), -kAnkle_m);  // flat sole
-  return dressed(shoe, outfit::kShoes);
 }
 
 Mesh makeUpperArm(const Look& look) {
@@ -127,6 +112,47 @@ Mesh makeTorso(const Look& look) {
                  outfit::kShirt);
 }
 
+Mesh makeHead(const Look& look) {
+  Mesh skull = loft({{-0.055F, 0.0F, 0.0F, -0.045F},
+                     {-0.05F, 0.03F, 0.028F, -0.045F},
+                     {-0.02F, 0.066F, 0.05F, -0.026F},
+                     {0.01F, 0.085F, 0.063F, -0.012F},
+                     {0.06F, 0.098F, 0.075F, -0.002F},
+                     {0.11F, 0.101F, 0.079F},
+                     {0.145F, 0.085F, 0.068F},
+                     {0.168F, 0.05F, 0.042F},
+                     {0.18F, 0.0F, 0.0F}},
+                    20);
+  // The face is painted around u = 0.5, which a loft has at its back: turn it round.
+  Mesh head = dressed(skull, outfit::kFace).transform(at(0, 0, 0, static_cast<float>(M_PI)));
+  head.append(dressed(ellipsoid({0.024F, 0.014F, 0.026F}, 6, 8), outfit::kSkin).transform(at(0.1F, 0, 0.05F)));
+  for (const float side : {-1.0F, 1.0F})
+    head.append(
+        dressed(ellipsoid({0.018F, 0.01F, 0.032F}, 6, 8), outfit::kSkin).transform(at(0, side * 0.079F, 0.06F)));
+  head.append(dressed(limb(0.1F, 0.05F, 0.05F, 0.06F), outfit::kSkin).transform(at(-0.01F, 0, 0.02F)));
+  if (look.bald) return head;
+  return head.append(dressed(makeHair(look.hair), outfit::kHair));
+}
+
+}  // namespace
+
+Parts makeParts(const Look& look) {
+  Parts parts;
+  parts.torso = makeTorso(look);
+  parts.head = makeHead(look);
+  parts.upperArm = makeUpperArm(look);
+  parts.forearm = makeForearm(look);
+  parts.hand = makeHand();
+  parts.pelvis = makePelvis(look);
+  parts.thigh = makeThigh(look);
+  parts.shin = makeShin(look);
+  parts.shoe = dressed(makeShoe(0.05F, 0.055F), outfit::kShoes);
+  parts.hip_m = 0.088F * (0.8F + 0.2F * look.girth);
+  parts.shoulder_m = 0.196F * (0.88F + 0.12F * look.girth);
+  parts.shoulderDrop_m = 0.01F;
+  return parts;
+}
+
 Mesh makeSkirtOfGarment(const Look& look, double left_rad, double right_rad) {
   const float hem = hemOf(look.garment);
   const float g = look.girth;
@@ -149,28 +175,6 @@ Mesh makeSkirtOfGarment(const Look& look, double left_rad, double right_rad) {
     vertex.normal = turn * vertex.normal;
   }
   return skirt;
-}
-
-Mesh makeHead(const Look& look) {
-  Mesh skull = loft({{-0.055F, 0.0F, 0.0F, -0.045F},
-                     {-0.05F, 0.03F, 0.028F, -0.045F},
-                     {-0.02F, 0.066F, 0.05F, -0.026F},
-                     {0.01F, 0.085F, 0.063F, -0.012F},
-                     {0.06F, 0.098F, 0.075F, -0.002F},
-                     {0.11F, 0.101F, 0.079F},
-                     {0.145F, 0.085F, 0.068F},
-                     {0.168F, 0.05F, 0.042F},
-                     {0.18F, 0.0F, 0.0F}},
-                    20);
-  // The face is painted around u = 0.5, which a loft has at its back: turn it round.
-  Mesh head = dressed(skull, outfit::kFace).transform(at(0, 0, 0, static_cast<float>(M_PI)));
-  head.append(dressed(ellipsoid({0.024F, 0.014F, 0.026F}, 6, 8), outfit::kSkin).transform(at(0.1F, 0, 0.05F)));
-  for (const float side : {-1.0F, 1.0F})
-    head.append(
-        dressed(ellipsoid({0.018F, 0.01F, 0.032F}, 6, 8), outfit::kSkin).transform(at(0, side * 0.079F, 0.06F)));
-  head.append(dressed(limb(0.1F, 0.05F, 0.05F, 0.06F), outfit::kSkin).transform(at(-0.01F, 0, 0.02F)));
-  if (look.bald) return head;
-  return head.append(dressed(makeHair(look.hair), outfit::kHair));
 }
 
 }  // namespace wardslam::synth::figure

@@ -6,15 +6,17 @@
 namespace wardslam::synth {
 
 Surfaces makePatient(int variant) {
-  const Body bodies[] = {{1.66F, 1.0F, HairStyle::Long, Clothing::Shirt},
-                         {1.74F, 1.1F, HairStyle::Short, Clothing::Shirt},
-                         {1.62F, 0.95F, HairStyle::Bun, Clothing::Shirt}};
-  Mesh body = posePerson(bodies[variant % 3], Posture{0.0, 0.0, 0.25});
+  const Material outfit = Material::OutfitPatient;
+  const Look looks[] = {{1.66F, 1.0F, HairStyle::Long, false, Garment::Shirt, false, outfit},
+                        {1.74F, 1.1F, HairStyle::Short, false, Garment::Shirt, false, outfit},
+                        {1.62F, 0.95F, HairStyle::Bun, false, Garment::Shirt, false, outfit}};
+  const Look& look = looks[variant % 3];
+  Mesh body = posePerson(look, Posture{0.0, 0.0, 0.25});
   // On the back: what was up points to the head end, the front up.
   Eigen::Isometry3f T = Eigen::Isometry3f::Identity();
   T.linear() << 0, 0, -1, 0, 1, 0, 1, 0, 0;
-  T.translation() << 0.22F + bodies[variant % 3].height_m, 0.0F, 0.75F;
-  return {{Material::OutfitPatient, body.transform(T)}};
+  T.translation() << 0.22F + look.height_m, 0.0F, 0.75F;
+  return {{outfit, body.transform(T)}};
 }
 
 Surfaces makeCoveredBody(cv::RNG& rng) {

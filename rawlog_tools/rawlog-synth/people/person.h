@@ -1,18 +1,9 @@
 #pragma once
 
+#include "people/look.h"
 #include "scene/mesh.h"
 
 namespace wardslam::synth {
-
-enum class HairStyle { Short, Bun, Long };
-enum class Clothing { Tunic, Shirt };
-
-struct Body {
-  float height_m = 1.75F;
-  float girth = 1.0F;  ///< 1 = slim.
-  HairStyle hair = HairStyle::Short;
-  Clothing clothing = Clothing::Shirt;
-};
 
 /// What the limbs do.
 struct Posture {
@@ -21,13 +12,8 @@ struct Posture {
   double reaching = 0.0;    ///< 0 arms hang and swing … 1 both hands on a handle in front.
 };
 
-/// A person, feet on the floor, x to the front, z up; textured as the namespace outfit says.
-[[nodiscard]] Mesh posePerson(const Body& body, const Posture& posture);
-
-/// How far a body travels in one cycle of the walk.
-[[nodiscard]] double strideLength_m(const Body& body);
-
-/// How far in front of the body's middle the hands are when reaching.
-constexpr float kReach_m = 0.5F;
+/// A body in the plain clothes of those who live in ward and floor or lie in a bed: short sleeves, trousers, a shirt or
+/// a tunic. Feet on the floor, x to the front, z up; textured as the namespace outfit says.
+[[nodiscard]] Mesh posePerson(const Look& look, const Posture& posture);
 
 }  // namespace wardslam::synth

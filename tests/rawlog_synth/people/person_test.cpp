@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "people/anatomy.h"
+
 namespace wardslam::synth {
 namespace {
 
@@ -15,9 +17,9 @@ Eigen::AlignedBox3f boundsOf(const Mesh& mesh) {
 
 TEST(Person, StandsOnTheFloorAtItsHeight) {
   for (const float height_m : {1.5F, 1.75F, 1.95F}) {
-    Body body;
-    body.height_m = height_m;
-    const Eigen::AlignedBox3f box = boundsOf(posePerson(body, {}));
+    Look look;
+    look.height_m = height_m;
+    const Eigen::AlignedBox3f box = boundsOf(posePerson(look, {}));
     EXPECT_NEAR(box.min().z(), 0.0F, 0.02F);
     EXPECT_NEAR(box.max().z(), height_m, 0.05F);
   }
@@ -40,14 +42,14 @@ TEST(Person, StridesFartherThanItStands) {
 
 TEST(Person, ReachesForAHandle) {
   const Eigen::AlignedBox3f box = boundsOf(posePerson({}, {0.0, 0.0, 1.0}));
-  EXPECT_NEAR(box.max().x(), kReach_m, 0.15F);
+  EXPECT_NEAR(box.max().x(), anatomy::kReach_m, 0.15F);
 }
 
 TEST(Person, UsesTheWholeOutfitAndNoMore) {
   for (const HairStyle hair : {HairStyle::Short, HairStyle::Bun, HairStyle::Long}) {
-    Body body;
-    body.hair = hair;
-    for (const Vertex& vertex : posePerson(body, {0.7, 1.0, 0.0}).vertices) {
+    Look look;
+    look.hair = hair;
+    for (const Vertex& vertex : posePerson(look, {0.7, 1.0, 0.0}).vertices) {
       EXPECT_GE(vertex.uv.minCoeff(), 0.0F);
       EXPECT_LE(vertex.uv.maxCoeff(), 1.0F);
     }

@@ -9,6 +9,7 @@
 #include "camera/camera_path.h"
 #include "furniture/furniture.h"
 #include "people/actors.h"
+#include "people/anatomy.h"
 #include "places/ward_scene.h"
 
 namespace wardslam::synth {
@@ -20,7 +21,7 @@ TEST(WardPeople, ThePorterHasTheTrolleyInHandWhilePushing) {
   const TrolleyActor pushed = trolley();
   for (double t = 0; t < kTrolleyLeft_s; t += 0.1) {
     const Eigen::Vector3d handle = pushed.T_world_trolley(t) * Eigen::Vector3d(kTrolleyHandleX_m, 0, 0);
-    EXPECT_NEAR((handle.head<2>() - porterWalk().at(t).p_m).norm(), kReach_m, 1e-6);
+    EXPECT_NEAR((handle.head<2>() - porterWalk().at(t).p_m).norm(), anatomy::kReach_m, 1e-6);
   }
   EXPECT_TRUE(pushed.isMovingAt(2.0));
 }
