@@ -22,7 +22,7 @@ Surfaces MemberActor::surfacesAt(double t_s) const {
   return placed({{look_.outfit, poseFigure(look_, body.pose)}}, placeOf(body.p_m, 0.0, body.heading_rad));
 }
 
-bool MemberActor::isMovingAt(double t_s) const { return society_->bodyMovesAt(member_, t_s); }
+bool MemberActor::isMovingAt(double t_s) const { return society_->memberAt(member_, t_s).isMoving; }
 
 double MemberActor::atRestFrom_s() const { return std::numeric_limits<double>::infinity(); }
 
@@ -45,7 +45,7 @@ Surfaces MovedActor::surfacesAt(double t_s) const {
   return placed(model_, placeOf(state.p_m, state.z_m, state.heading_rad));
 }
 
-bool MovedActor::isMovingAt(double t_s) const { return society_->thingMovesAt(thing_, t_s); }
+bool MovedActor::isMovingAt(double t_s) const { return society_->thingAt(thing_, t_s).isMoving; }
 
 double MovedActor::atRestFrom_s() const { return std::numeric_limits<double>::infinity(); }
 

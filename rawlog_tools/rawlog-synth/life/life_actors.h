@@ -16,7 +16,7 @@ class MemberActor : public Actor {
   [[nodiscard]] bool isMovingAt(double t_s) const override;
   [[nodiscard]] double atRestFrom_s() const override;
   [[nodiscard]] Eigen::AlignedBox3f boundsAt(double t_s) const override;
-  [[nodiscard]] BodyState bodyAt(double t_s) const { return society_->bodyAt(member_, t_s); }
+  [[nodiscard]] BodyState bodyAt(double t_s) const { return society_->memberAt(member_, t_s).state; }
 
  private:
   std::shared_ptr<const Society> society_;
@@ -36,7 +36,7 @@ class MovedActor : public Actor {
   [[nodiscard]] double atRestFrom_s() const override;
   [[nodiscard]] Eigen::AlignedBox3f boundsAt(double t_s) const override;
   [[nodiscard]] std::vector<RestInterval> restsUntil(double t_s) const override;
-  [[nodiscard]] ThingState thingAt(double t_s) const { return society_->thingAt(thing_, t_s); }
+  [[nodiscard]] ThingState thingAt(double t_s) const { return society_->thingAt(thing_, t_s).state; }
 
  private:
   [[nodiscard]] Eigen::AlignedBox3f boundsOf(const ThingState& state) const;

@@ -29,6 +29,14 @@ FigurePose mix(const FigurePose& a, const FigurePose& b, double w) {
   return pose;
 }
 
+BodyState mix(const BodyState& a, const BodyState& b, double w) {
+  return {mix(a.p_m, b.p_m, w), mix(a.heading_rad, b.heading_rad, w), mix(a.pose, b.pose, w)};
+}
+
+ThingState mix(const ThingState& a, const ThingState& b, double w) {
+  return {mix(a.p_m, b.p_m, w), mix(a.heading_rad, b.heading_rad, w), mix(a.z_m, b.z_m, w)};
+}
+
 }  // namespace
 
 Snapshot seenOf(const SocietyState& state) {
@@ -102,32 +110,21 @@ Society::Between Society::between(double t_s) const {
   return {&there.ticks[i], &there.ticks[i + 1], std::clamp(ticks - whole, 0.0, 1.0)};
 }
 
-BodyState Society::bodyAt(std::size_t member, double t_s) const {
+template <class State>
+Society::Moment<State> Society::momentOf(std::vector<State> Snapshot::*kind, std::size_t which, double t_s) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const Between at = between(t_s);
-  const BodyState& a = at.before->bodies[member];
-  const BodyState& b = at.after->bodies[member];
-  return {mix(a.p_m, b.p_m, at.part), mix(a.heading_rad, b.heading_rad, at.part), mix(a.pose, b.pose, at.part)};
+  const State& a = (at.before->*kind)[which];
+  const State& b = (at.after->*kind)[which];
+  return {mix(a, b, at.part), !(a == b)};
 }
 
-ThingState Society::thingAt(std::size_t thing, double t_s) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const Between at = between(t_s);
-  const ThingState& a = at.before->things[thing];
-  const ThingState& b = at.after->things[thing];
-  return {mix(a.p_m, b.p_m, at.part), mix(a.heading_rad, b.heading_rad, at.part), mix(a.z_m, b.z_m, at.part)};
+Society::Moment<BodyState> Society::memberAt(std::size_t member, double t_s) const {
+  return momentOf(&Snapshot::bodies, member, t_s);
 }
 
-bool Society::bodyMovesAt(std::size_t member, double t_s) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const Between at = between(t_s);
-  return !(at.before->bodies[member] == at.after->bodies[member]);
-}
-
-bool Society::thingMovesAt(std::size_t thing, double t_s) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const Between at = between(t_s);
-  return !(at.before->things[thing] == at.after->things[thing]);
+Society::Moment<ThingState> Society::thingAt(std::size_t thing, double t_s) const {
+  return momentOf(&Snapshot::things, thing, t_s);
 }
 
 std::vector<Society::Rest> Society::restsUntil(std::size_t thing, double t_s) const {

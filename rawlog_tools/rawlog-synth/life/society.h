@@ -16,11 +16,14 @@ class Society {
  public:
   Society(SocietyWorld world, SocietyState start);
 
-  [[nodiscard]] BodyState bodyAt(std::size_t member, double t_s) const;
-  [[nodiscard]] ThingState thingAt(std::size_t thing, double t_s) const;
-  /// Whether any part of it moves just then.
-  [[nodiscard]] bool bodyMovesAt(std::size_t member, double t_s) const;
-  [[nodiscard]] bool thingMovesAt(std::size_t thing, double t_s) const;
+  /// What somebody or something is at one time, and whether any part of it moves just then.
+  template <class State>
+  struct Moment {
+    State state;
+    bool isMoving = false;
+  };
+  [[nodiscard]] Moment<BodyState> memberAt(std::size_t member, double t_s) const;
+  [[nodiscard]] Moment<ThingState> thingAt(std::size_t thing, double t_s) const;
 
   /// Where a thing that nobody holds stands, from when to when.
   struct Rest {
@@ -45,6 +48,8 @@ class Society {
 
   [[nodiscard]] const Window& window(std::size_t number) const;
   [[nodiscard]] Between between(double t_s) const;
+  template <class State>
+  [[nodiscard]] Moment<State> momentOf(std::vector<State> Snapshot::*kind, std::size_t which, double t_s) const;
   [[nodiscard]] Window live(SocietyState state) const;
   void noteRests(const SocietyState& before, const SocietyState& after) const;
 
