@@ -199,6 +199,14 @@ TEST(RawlogSynth, WrongArgumentsAreUsageErrors) {
   EXPECT_EQ(run("--help"), 0);
 }
 
+TEST(RawlogSynth, TakesNamesAndNotTheirNumbers) {
+  const test::TemporaryFolder folder;
+  const std::string shortly = "-o " + (folder.path() / "w.rawlog").string() + " --seconds 0.03 --width 64 --height 48 ";
+  EXPECT_EQ(run(shortly + "--lens wide --depth-sensor tof --route lobby"), 0);
+  for (const char* choice : {"--lens 2", "--lens fish", "--depth-sensor 0", "--route 4", "--route Lobby"})
+    EXPECT_EQ(run(shortly + choice), 2) << choice;
+}
+
 TEST(RawlogSynth, LeavesForeignFoldersAlone) {
   const test::TemporaryFolder folder;
   fs::create_directory(folder.path() / "w_labels");

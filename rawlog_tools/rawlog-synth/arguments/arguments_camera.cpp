@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <map>
 #include <string>
 
 #include "arguments/arguments.h"
+#include "arguments/one_of.h"
 #include "arguments/within.h"
 
 namespace wardslam::synth {
@@ -47,8 +47,8 @@ void declareCamera(CLI::App& app, CameraOptions& options) {
       ->default_str("0.12")
       ->check(within(0.01, 2.0));
   app.add_option("--lens", options.lens, "none: a pinhole; kinect: a real one's distortion; wide: barrel, k1 = -0.28")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Lens>{{"none", Lens::None}, {"kinect", Lens::Kinect}, {"wide", Lens::Wide}}));
+      ->type_name("TEXT")
+      ->transform(oneOf<Lens>({{"none", Lens::None}, {"kinect", Lens::Kinect}, {"wide", Lens::Wide}}));
   declareMount(app, options);
 }
 

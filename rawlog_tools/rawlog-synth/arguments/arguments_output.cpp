@@ -13,7 +13,9 @@ void declareOutput(CLI::App& app, OutputOptions& options) {
          "a folder groundtruth.txt) and FILE_labels/ go with it")
       ->required();
   app.add_flag("--tum", options.isTumFolder, "a folder, whatever its name ends in");
-  app.add_option("--seconds", options.seconds, "how long it lasts; unless told 20 s of the ward, a round of the floor")
+  app.add_option("--seconds", options.seconds,
+                 "how long it lasts; unless told 20 s of the ward, a round of the floor (60 s), all of the hospital's "
+                 "route (12 minutes and more of the tour)")
       ->check(within(0.01, 3600.0));
 }
 

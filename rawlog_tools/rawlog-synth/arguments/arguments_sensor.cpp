@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "arguments/arguments.h"
+#include "arguments/one_of.h"
 #include "arguments/within.h"
 
 namespace wardslam::synth {
@@ -73,10 +73,11 @@ void declareSensor(CLI::App& app, SensorOptions& options) {
   app.add_option(
          "--depth-sensor", options.depth,
          "kinect: structured light; tof: time of flight; stereo: active stereo; perfect: the truth within range")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, DepthSensor>{{"kinect", DepthSensor::Kinect},
-                                                                             {"tof", DepthSensor::Tof},
-                                                                             {"stereo", DepthSensor::Stereo},
-                                                                             {"perfect", DepthSensor::Perfect}}));
+      ->type_name("TEXT")
+      ->transform(oneOf<DepthSensor>({{"kinect", DepthSensor::Kinect},
+                                      {"tof", DepthSensor::Tof},
+                                      {"stereo", DepthSensor::Stereo},
+                                      {"perfect", DepthSensor::Perfect}}));
   app.add_option("--depth-noise", options.kinect.depthNoise, "times the sensor's depth noise; 0 = perfect depth")
       ->check(within(0.0, 10.0))
       ->capture_default_str();

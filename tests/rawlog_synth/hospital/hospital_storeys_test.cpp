@@ -117,6 +117,19 @@ TEST(HospitalStoreys, PeopleLiveOnEachAndTheCameraDrivesOnItsOwn) {
   EXPECT_NEAR(setting.T_world_cam(0.0).translation().z() - below.T_world_cam(0.0).translation().z(), 3.6, 1e-5);
 }
 
+TEST(HospitalStoreys, WhatIsMovedRestsOnTheFloorOfItsStorey) {
+  const Setting setting = hospitalSetting({}, storeys(2, 1, Density::Few), {});
+  std::map<int, int> rests;
+  for (const auto& actor : setting.scene.actors) {
+    for (const RestInterval& rest : actor->restsUntil(1.0)) {
+      ++rests[setting.storeyAt(static_cast<double>(rest.bounds_m.center().z()))];
+      EXPECT_NEAR(rest.bounds_m.min().z(), actor->floorZ_m(), 0.2F) << actor->label().name;
+    }
+  }
+  EXPECT_GT(rests[0], 0);
+  EXPECT_GT(rests[1], 0);
+}
+
 TEST(HospitalStoreys, OnlyTheOneThatIsDrivenOnMayBeSeen) {
   const Setting setting = hospitalSetting({}, storeys(2, 1, Density::None), {});
   const Eigen::Isometry3d T_world_cam = setting.T_world_cam(0.0);

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "hospital/hospital_furnishing.h"
 #include "support/temporary_folder.h"
@@ -61,10 +63,41 @@ TEST_F(HospitalTruth, TellsStoreysApart) {
             1 + today.changes.size() + todayAbove.changes.size());
 }
 
+TEST_F(HospitalTruth, RoomsAndDoorsLieWhereThePlanHasThem) {
+  const auto pointOf = [](const nlohmann::json& xy) -> Eigen::Vector2d {
+    return {xy[0].get<double>(), xy[1].get<double>()};
+  };
+  const auto json = nlohmann::json::parse(roomsGeoJson({&plan}));
+  std::map<std::string, Eigen::AlignedBox2d> boxes_m;
+  std::vector<Eigen::Vector2d> ends_m;
+  for (const auto& feature : json["features"]) {
+    const auto& coordinates = feature["geometry"]["coordinates"];
+    if (feature["properties"]["what"] == "room") {
+      for (const auto& corner : coordinates[0]) boxes_m[feature["properties"]["id"]].extend(pointOf(corner));
+    } else if (feature["properties"]["what"] == "door") {
+      for (const auto& end : coordinates) ends_m.push_back(pointOf(end));
+    }
+  }
+  constexpr double kMillimetre_m = 0.001;
+  for (const Room& room : plan.rooms) {
+    EXPECT_LT((boxes_m[room.id].min() - room.area_m.min()).norm(), kMillimetre_m) << room.id;
+    EXPECT_LT((boxes_m[room.id].max() - room.area_m.max()).norm(), kMillimetre_m) << room.id;
+  }
+  ASSERT_EQ(ends_m.size(), 2 * plan.doors.size());
+  for (std::size_t i = 0; i < plan.doors.size(); ++i) {
+    EXPECT_LT((ends_m[2 * i] - plan.doors[i].from_m).norm(), kMillimetre_m) << "door " << i + 1;
+    EXPECT_LT((ends_m[2 * i + 1] - plan.doors[i].to_m).norm(), kMillimetre_m) << "door " << i + 1;
+  }
+}
+
 TEST_F(HospitalTruth, ZonesAreReadAsZones) {
   const test::TemporaryFolder folder;
   const auto zones = mapping::Zones::fromFile(folder.write("zones.yaml", zonesYaml(plan)));
   EXPECT_EQ(zones.all().size(), plan.rooms.size());
+  for (const Room& room : plan.rooms) {
+    EXPECT_EQ(zones.at(room.area_m.center()), room.id);
+    EXPECT_EQ(zones.at(room.area_m.max() - Eigen::Vector2d(0.01, 0.01)), room.id);
+  }
 }
 
 TEST_F(HospitalTruth, EveryChangeIsALineWithTwoPlaces) {

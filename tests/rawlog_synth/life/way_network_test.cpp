@@ -18,11 +18,21 @@ TEST(WayNetwork, TakesTheShortestWay) {
   EXPECT_EQ(WayNetwork(square()).way(1, 1), (std::vector<std::size_t>{1}));
 }
 
+TEST(WayNetwork, CountsMetresAndNotCorners) {
+  const WayGraph detour = {{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1.5, 9}}, {{0, 1}, {1, 2}, {2, 3}, {0, 4}, {4, 3}}};
+  EXPECT_EQ(WayNetwork(detour).way(0, 3), (std::vector<std::size_t>{0, 1, 2, 3}));
+}
+
 TEST(WayNetwork, PushesOnlyWhereThereIsRoom) {
   WayNetwork network(square());
   network.setHalfWidths({0.6, 0.6, 0.3, 0.3, 0.3});
   EXPECT_EQ(network.way(0, 2, 0.5), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_TRUE(network.way(0, 3, 0.5).empty());
+}
+
+TEST(WayNetwork, KnowsTheNearestNode) {
+  EXPECT_EQ(WayNetwork(square()).nearestNode({3.2, 3.1}), 2U);
+  EXPECT_EQ(WayNetwork(square()).nearestNode({-5.0, 2.1}), 3U);
 }
 
 TEST(WayNetwork, RefusesWhatIsNoGraph) {
