@@ -68,20 +68,24 @@ TEST_F(HospitalTruth, RoomsAndDoorsLieWhereThePlanHasThem) {
     return {xy[0].get<double>(), xy[1].get<double>()};
   };
   const auto json = nlohmann::json::parse(roomsGeoJson({&plan}));
-  std::map<std::string, Eigen::AlignedBox2d> boxes_m;
+  std::map<std::string, std::vector<Eigen::Vector2d>> corners_m;
   std::vector<Eigen::Vector2d> ends_m;
   for (const auto& feature : json["features"]) {
     const auto& coordinates = feature["geometry"]["coordinates"];
     if (feature["properties"]["what"] == "room") {
-      for (const auto& corner : coordinates[0]) boxes_m[feature["properties"]["id"]].extend(pointOf(corner));
+      for (const auto& corner : coordinates[0]) corners_m[feature["properties"]["id"]].push_back(pointOf(corner));
     } else if (feature["properties"]["what"] == "door") {
       for (const auto& end : coordinates) ends_m.push_back(pointOf(end));
     }
   }
   constexpr double kMillimetre_m = 0.001;
   for (const Room& room : plan.rooms) {
-    EXPECT_LT((boxes_m[room.id].min() - room.area_m.min()).norm(), kMillimetre_m) << room.id;
-    EXPECT_LT((boxes_m[room.id].max() - room.area_m.max()).norm(), kMillimetre_m) << room.id;
+    const auto& is_m = corners_m[room.id];
+    const Eigen::Vector2d low = room.area_m.min();
+    const Eigen::Vector2d high = room.area_m.max();
+    const std::vector<Eigen::Vector2d> expected_m = {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
+    ASSERT_EQ(is_m.size(), expected_m.size()) << room.id;
+    for (std::size_t i = 0; i < is_m.size(); ++i) EXPECT_LT((is_m[i] - expected_m[i]).norm(), kMillimetre_m) << room.id;
   }
   ASSERT_EQ(ends_m.size(), 2 * plan.doors.size());
   for (std::size_t i = 0; i < plan.doors.size(); ++i) {
