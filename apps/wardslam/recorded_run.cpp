@@ -251,6 +251,10 @@ class Execution {
   void openMap() {
     if (!slam_.buildsSemanticMap()) return;
     if (!run_.map.empty()) mapCopy_.emplace(run_.map);
+    if (mapCopy_ && mapCopy_->leftBehind()) {
+      tellAtOnce("an earlier run on " + run_.map.string() + " was killed; the map it had made by then is kept as " +
+                 mapCopy_->leftBehind()->string());
+    }
     mapFile_.emplace(openMapFile(run_, slam_, mapCopy_));
     mapFile_->setWarningSink(tellAtOnce);
     slam_.writeTo(*mapFile_);
