@@ -116,6 +116,7 @@ void tellOfFloor(const pipeline::SlamSystem& slam) {
   const auto* builder = slam.mapBuilder();
   if (builder == nullptr) return;
   const mapping::FloorSeen floor = builder->floorSeen();
+  if (!floor.planTrouble.empty()) tellAtOnce("the map has no floor plan: " + floor.planTrouble);
   const double tilt_deg = floor.tilt_rad * 180.0 / M_PI;
   if (floor.keyframes > 0 && floor.seen == 0) {
     tellAtOnce("no image shows the floor: the floor plan takes it to be at z = 0 of the map frame");
@@ -250,6 +251,10 @@ class Execution {
   void openMap() {
     if (!slam_.buildsSemanticMap()) return;
     if (!run_.map.empty()) mapCopy_.emplace(run_.map);
+    if (mapCopy_ && mapCopy_->leftBehind()) {
+      tellAtOnce("an earlier run on " + run_.map.string() + " was killed; the map it had made by then is kept as " +
+                 mapCopy_->leftBehind()->string());
+    }
     mapFile_.emplace(openMapFile(run_, slam_, mapCopy_));
     mapFile_->setWarningSink(tellAtOnce);
     slam_.writeTo(*mapFile_);

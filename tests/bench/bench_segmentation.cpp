@@ -173,7 +173,7 @@ void refineContours(benchmark::State& state) {
   cv::RNG(4).fill(noise, cv::RNG::NORMAL, 0.0, 0.0019);
   depth_m += noise.mul(depth_m).mul(depth_m);
   const masks::ContourRefiner refiner({}, masks::ContourRefiner::ClassSet().set(kPerson));
-  for (auto _ : state) benchmark::DoNotOptimize(refiner.refine(color_bgr, depth_m, found).instances);
+  for (auto _ : state) benchmark::DoNotOptimize(refiner.refine(color_bgr, depth_m, {}, found).instances);
 }
 BENCHMARK(refineContours)->Arg(0)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);
 

@@ -105,7 +105,8 @@ struct Measurement {
   void add(const Arguments& arguments, core::Frame& frame, const cv::Mat& truth) {
     const masks::ContourRefiner refiner({}, masks::ContourRefiner::ClassSet().set(kPerson));
     const std::clock_t start = std::clock();
-    const core::Segmentation refined = refiner.refine(frame.color_bgr, frame.depth_m, frame.segmentation);
+    const core::Segmentation refined =
+        refiner.refine(frame.color_bgr, frame.depth_m, frame.camera.depthNoise, frame.segmentation);
     times_ms.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     const cv::Mat first = frame.segmentation.classIds == kPerson;
     const cv::Mat second = refined.classIds == kPerson;

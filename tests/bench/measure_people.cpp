@@ -136,7 +136,7 @@ void measure(const Arguments& arguments) {
     for (Tally& tally : tallies) {
       const std::clock_t start = std::clock();
       auto seen = tally.network->segment(input).segmentation;
-      if (arguments.refine) seen = refiner.refine(frame.color_bgr, frame.depth_m, seen);
+      if (arguments.refine) seen = refiner.refine(frame.color_bgr, frame.depth_m, frame.camera.depthNoise, seen);
       tally.times_ms.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
       const cv::Mat person = seen.empty() ? cv::Mat::zeros(people.size(), CV_8UC1) : cv::Mat(seen.classIds == kPerson);
       tally.add(person, people, ids);

@@ -374,6 +374,16 @@ TEST_F(MapBuilderTest, NamesTheZoneOfObjectsAndKeyframes) {
   EXPECT_EQ(builder_.map().zones.size(), 1U);
 }
 
+TEST_F(MapBuilderTest, AMapTooLargeForItsFloorPlanHasAllElse) {
+  look({wall(), chair(2, 0, 7)}, 4);
+  builder_.addKeyframe(keyframe(2, cameraAt({100000.0, 100000.0, 1.0})));
+  const SemanticMap map = builder_.map();
+  EXPECT_TRUE(map.floorPlan.cells.empty());
+  EXPECT_EQ(map.keyframes.size(), 2U);
+  EXPECT_EQ(map.objects.size(), 1U);
+  EXPECT_THAT(builder_.floorSeen().planTrouble, testing::HasSubstr("choose a larger mapping.floor_plan.resolution_m"));
+}
+
 TEST_F(MapBuilderTest, AViewOfAnUnknownKeyframeIsLeftOut) {
   builder_.add(scene::render({wall()}, cameraAt({0, 0, 1}), 1.0, 77));
   EXPECT_TRUE(builder_.map().cloud.empty());

@@ -201,7 +201,7 @@ TEST(AsyncSegmenter, RefinesContoursWhereItCan) {
   AsyncSegmenter async(std::make_unique<FindsAPerson>(found), refiner);
   async.submit({color_bgr, 1.0, depth_m});
   const core::Segmentation refined = async.wait().segmentation;
-  EXPECT_EQ(cv::norm(refined.classIds, refiner.refine(color_bgr, depth_m, found).classIds, cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(refined.classIds, refiner.refine(color_bgr, depth_m, {}, found).classIds, cv::NORM_INF), 0.0);
   EXPECT_GT(cv::norm(refined.classIds, found.classIds, cv::NORM_INF), 0.0);
 
   async.submit({color_bgr, 2.0});

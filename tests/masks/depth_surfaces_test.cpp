@@ -10,7 +10,7 @@ const cv::Mat kOnePart(30, 40, CV_8UC1, cv::Scalar(0));
 cv::Mat depthOf(double depth_m) { return {30, 40, CV_32FC1, cv::Scalar(depth_m)}; }
 
 Surfaces surfacesOf(const cv::Mat& depth_m, const cv::Mat& parts = kOnePart) {
-  return findSurfaces(inverseDepth(depth_m), parts);
+  return findSurfaces(inverseDepth(depth_m), parts, {});
 }
 
 TEST(InverseDepth, IsZeroWhereNothingWasMeasured) {
@@ -22,15 +22,19 @@ TEST(InverseDepth, IsZeroWhereNothingWasMeasured) {
 }
 
 TEST(IsContinuous, AllowsForRoughnessNearAndNoiseFar) {
-  const auto joined = [](double a_m, double b_m) {
-    return isContinuous(static_cast<float>(1 / a_m), static_cast<float>(1 / b_m));
+  const auto joined = [](double a_m, double b_m, const core::DepthNoise& noise = {}) {
+    return isContinuous(static_cast<float>(1 / a_m), static_cast<float>(1 / b_m), noise);
   };
   // 0.03 m + 0.0057 z²: 3.6 cm at 1 m, 12 cm at 4 m.
   EXPECT_TRUE(joined(1.0, 1.03));
   EXPECT_FALSE(joined(1.0, 1.04));
   EXPECT_TRUE(joined(4.0, 4.11));
   EXPECT_FALSE(joined(4.0, 4.14));
-  EXPECT_FALSE(isContinuous(0.0F, 0.0F)) << "not measured";
+  EXPECT_FALSE(isContinuous(0.0F, 0.0F, {})) << "not measured";
+  // A pair of cameras 10 cm apart with a focal length of 500 px and disparities good to half a pixel: 0.03 m + 0.03 z².
+  const core::DepthNoise stereo{0.0, 0.01, 0.0};
+  EXPECT_TRUE(joined(4.0, 4.4, stereo));
+  EXPECT_FALSE(joined(4.0, 4.7, stereo));
 }
 
 TEST(FindSurfaces, CutsWhereDepthJumps) {

@@ -54,9 +54,20 @@ TEST_F(MapCopyTest, TakesThePlaceOfTheMap) {
   EXPECT_FALSE(std::filesystem::exists(copy.path()));
 }
 
-TEST_F(MapCopyTest, ReplacesWhatAKilledRunLeft) {
-  change(MapCopy(map_));
+TEST_F(MapCopyTest, PutsAsideWhatAKilledRunLeft) {
+  const MapCopy first(map_);
+  EXPECT_FALSE(first.leftBehind());
+  change(first);
+  const MapCopy second(map_);
+  EXPECT_EQ(MapFile::open(second.path()).read().objects.count(1), 1U);
+  ASSERT_EQ(second.leftBehind(), map_.string() + ".grown.old");
+  EXPECT_EQ(MapFile::open(*second.leftBehind()).read().objects.count(1), 0U);
+}
+
+TEST_F(MapCopyTest, ReplacesWhatIsNoMap) {
+  std::ofstream(map_.string() + ".grown") << "half of something";
   const MapCopy copy(map_);
+  EXPECT_FALSE(copy.leftBehind());
   EXPECT_EQ(MapFile::open(copy.path()).read().objects.count(1), 1U);
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "free_fan.h"
 #include "map_part.h"
@@ -32,8 +33,8 @@ struct KnownGround {
 StandingGround lookAtGround(const View& view, const std::map<odometry::KeyframeId, PlacedKeyframe>& keyframes,
                             PlacedKeyframe& here);
 
-/// Of the keyframes of one piece.
+/// Of the keyframes of one piece, and of what became of its plan.
 [[nodiscard]] FloorSeen floorSeenBy(const std::map<odometry::KeyframeId, PlacedKeyframe>& keyframes,
-                                    std::optional<std::uint32_t> piece);
+                                    std::optional<std::uint32_t> piece, const std::string& planTrouble);
 
 }  // namespace wardslam::mapping

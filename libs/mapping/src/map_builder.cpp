@@ -13,6 +13,7 @@
 #include "semantic_cloud.h"
 #include "things_in_hands.h"
 #include "usable_pixels.h"
+#include "wardslam/core/errors.h"
 #include "wardslam/core/view_rays.h"
 #include "wardslam/odometry/pieces.h"
 
@@ -39,7 +40,7 @@ class MapBuilder::Impl {
   SemanticMap map(const MapParts& parts);
   [[nodiscard]] MapMemory memory(const std::set<KeyframeId>& tiles) const;
   MapParts takeChanges();
-  [[nodiscard]] FloorSeen floorSeen() const { return floorSeenBy(keyframes_, pieces_.map()); }
+  [[nodiscard]] FloorSeen floorSeen() const { return floorSeenBy(keyframes_, pieces_.map(), planTrouble_); }
 
  private:
   Part& part(std::uint32_t piece) { return parts_.try_emplace(piece, options_).first->second; }
@@ -73,6 +74,7 @@ class MapBuilder::Impl {
   MapParts changes_;
   std::optional<core::CameraModel> raysCamera_;
   cv::Mat rays_;
+  std::string planTrouble_;  ///< Of the last map.
 };
 
 void MapBuilder::Impl::restore(const SemanticMap& earlier, const MapMemory& memory) {
@@ -343,7 +345,12 @@ SemanticMap MapBuilder::Impl::map() {
   refresh();
   const auto piece = pieces_.map();
   SemanticMap map = this->map(piece ? everything(*piece) : MapParts{});
-  map.floorPlan = drawFloorPlan(map, options_.floor_plan);
+  planTrouble_.clear();
+  try {
+    map.floorPlan = drawFloorPlan(map, options_.floor_plan);
+  } catch (const core::InputError& error) {  // all else of the map is none the worse
+    planTrouble_ = error.what();
+  }
   return map;
 }
 

@@ -46,7 +46,10 @@ void AsyncSegmenter::finish() {
 
 segmentation::Segmenter::Result AsyncSegmenter::segment(const segmentation::SegmenterInput& input) {
   auto result = segmenter_->segment(input);
-  if (refiner_) result.segmentation = refiner_->refine(input.color_bgr, input.depth_m, result.segmentation);
+  if (refiner_) {
+    result.segmentation =
+        refiner_->refine(input.color_bgr, input.depth_m, input.camera.depthNoise, result.segmentation);
+  }
   return result;
 }
 

@@ -18,6 +18,7 @@ constexpr double kMinKept = 0.4;        // of a mask; if less were left, what de
 struct SmallImages {
   int step = 1;  ///< Pixels of the frame per pixel.
   cv::Mat inverseDepth;
+  core::DepthNoise depthNoise;
   cv::Mat color_bgr;
   cv::Mat instanceIds;
 };
@@ -30,9 +31,11 @@ cv::Mat everyNth(const cv::Mat& image, int step) {
   return smaller;
 }
 
-SmallImages reduce(const cv::Mat& color_bgr, const cv::Mat& depth_m, const cv::Mat& instanceIds) {
+SmallImages reduce(const cv::Mat& color_bgr, const cv::Mat& depth_m, const core::DepthNoise& depthNoise,
+                   const cv::Mat& instanceIds) {
   constexpr double kColumns = 320.0;
   SmallImages small;
+  small.depthNoise = depthNoise;
   small.step = std::max(1, static_cast<int>(std::lround(color_bgr.cols / kColumns)));
   small.inverseDepth = inverseDepth(everyNth(depth_m, small.step));
   small.color_bgr = everyNth(color_bgr, small.step);
@@ -93,6 +96,7 @@ void refineInstance(const ContourOptions& options, SmallImages& small, core::Ins
   cv::Mat ids = small.instanceIds(box);
   InstanceCrop view;
   view.inverseDepth = small.inverseDepth(box);
+  view.depthNoise = small.depthNoise;
   view.color_bgr = small.color_bgr(box);
   view.mask = ids == instance.id;
   view.isFree = ids == 0;
@@ -115,12 +119,12 @@ bool hasAnyOf(const ContourRefiner::ClassSet& classes, const std::vector<core::I
 }  // namespace
 
 core::Segmentation ContourRefiner::refine(const cv::Mat& color_bgr, const cv::Mat& depth_m,
-                                          const core::Segmentation& found) const {
+                                          const core::DepthNoise& depthNoise, const core::Segmentation& found) const {
   const cv::Size size = found.classIds.size();
   const bool fits = found.instanceIds.size() == size && depth_m.size() == size && color_bgr.size() == size;
   if (size.empty() || !fits || !hasAnyOf(classes_, found.instances)) return found;
   core::Segmentation refined = {found.classIds.clone(), found.instanceIds.clone(), found.instances};
-  SmallImages small = reduce(color_bgr, depth_m, found.instanceIds);
+  SmallImages small = reduce(color_bgr, depth_m, depthNoise, found.instanceIds);
   for (core::Instance& instance : refined.instances) {
     if (classes_[instance.classId]) refineInstance(options_, small, instance, refined);
   }

@@ -53,7 +53,7 @@ cv::Mat inverseDepth(const cv::Mat& depth_m) {
   return inverse;
 }
 
-Surfaces findSurfaces(const cv::Mat& inverseDepth, const cv::Mat& parts) {
+Surfaces findSurfaces(const cv::Mat& inverseDepth, const cv::Mat& parts, const core::DepthNoise& noise) {
   Surfaces surfaces;
   surfaces.labels = cv::Mat(inverseDepth.size(), CV_32SC1, cv::Scalar(0));
   Equivalences same;
@@ -68,8 +68,8 @@ Surfaces findSurfaces(const cv::Mat& inverseDepth, const cv::Mat& parts) {
     const auto* labelAbove = surfaces.labels.ptr<int>(above);
     for (int x = 0; x < inverseDepth.cols; ++x) {
       if (!(w[x] > 0)) continue;
-      if (x > 0 && part[x] == part[x - 1] && isContinuous(w[x], w[x - 1])) label[x] = label[x - 1];
-      if (y > 0 && part[x] == partAbove[x] && isContinuous(w[x], wAbove[x])) {
+      if (x > 0 && part[x] == part[x - 1] && isContinuous(w[x], w[x - 1], noise)) label[x] = label[x - 1];
+      if (y > 0 && part[x] == partAbove[x] && isContinuous(w[x], wAbove[x], noise)) {
         if (label[x] == 0) label[x] = labelAbove[x];
         if (label[x] != labelAbove[x]) same.unite(label[x], labelAbove[x]);
       }

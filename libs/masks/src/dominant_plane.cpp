@@ -14,13 +14,11 @@ struct Plane {
   float b = 0.0F;
   float c = 0.0F;
 
-  /// Within 1 cm or twice the noise.
-  [[nodiscard]] bool contains(float x, float y, float w) const {
+  /// Within 1 cm and the noise (of inverse depth, 1/m).
+  [[nodiscard]] bool contains(const cv::Vec3f& p, float noise_per_m) const {
     constexpr float kRoughness_m = 0.01F;
-    constexpr float kNoise_per_m = 2 * 0.0019F;
-    return std::abs(a * x + b * y + c - w) < kNoise_per_m + kRoughness_m * w * w;
+    return std::abs(a * p[0] + b * p[1] + c - p[2]) < noise_per_m + kRoughness_m * p[2] * p[2];
   }
-  [[nodiscard]] bool contains(const cv::Vec3f& p) const { return contains(p[0], p[1], p[2]); }
 };
 
 /// (x, y, inverse depth) of about `count` measured pixels.
@@ -50,11 +48,11 @@ std::optional<Plane> planeThrough(const cv::Vec3f& p, const cv::Vec3f& q, const 
   return Plane{a, b, p[2] - a * p[0] - b * p[1]};
 }
 
-Plane leastSquares(const std::vector<cv::Vec3f>& points, const Plane& first) {
+Plane leastSquares(const std::vector<cv::Vec3f>& points, const Plane& first, float noise_per_m) {
   cv::Matx33d normal = cv::Matx33d::zeros();
   cv::Vec3d right = {0, 0, 0};
   for (const cv::Vec3f& p : points) {
-    if (!first.contains(p)) continue;
+    if (!first.contains(p, noise_per_m)) continue;
     const cv::Vec3d row(p[0], p[1], 1.0);
     normal += row * row.t();
     right += row * static_cast<double>(p[2]);
@@ -64,7 +62,7 @@ Plane leastSquares(const std::vector<cv::Vec3f>& points, const Plane& first) {
 }
 
 /// RANSAC.
-std::optional<Plane> fitPlane(const std::vector<cv::Vec3f>& points) {
+std::optional<Plane> fitPlane(const std::vector<cv::Vec3f>& points, float noise_per_m) {
   constexpr int kTrials = 60;
   constexpr double kMinShare = 0.15;
   constexpr std::uint64_t kSeed = 7;
@@ -79,29 +77,31 @@ std::optional<Plane> fitPlane(const std::vector<cv::Vec3f>& points) {
     const cv::Vec3f q = any();
     const auto plane = planeThrough(p, q, any());
     if (!plane) continue;
-    const auto on =
-        std::count_if(points.begin(), points.end(), [&](const auto& point) { return plane->contains(point); });
+    const auto on = std::count_if(points.begin(), points.end(),
+                                  [&](const auto& point) { return plane->contains(point, noise_per_m); });
     if (on <= most) continue;
     most = on;
     best = *plane;
     isFound = true;
   }
   if (!isFound) return std::nullopt;
-  return leastSquares(points, best);
+  return leastSquares(points, best, noise_per_m);
 }
 
 }  // namespace
 
-cv::Mat dominantPlane(const cv::Mat& inverseDepth, const cv::Mat& among) {
+cv::Mat dominantPlane(const cv::Mat& inverseDepth, const cv::Mat& among, const core::DepthNoise& noise) {
+  const float noise_per_m = 2 * static_cast<float>(noise.growth_per_m);
   constexpr std::size_t kSamples = 300;
   cv::Mat onPlane(inverseDepth.size(), CV_8UC1, cv::Scalar(0));
-  const auto plane = fitPlane(sample(inverseDepth, among, kSamples));
+  const auto plane = fitPlane(sample(inverseDepth, among, kSamples), noise_per_m);
   if (!plane) return onPlane;
   for (int y = 0; y < onPlane.rows; ++y) {
     const auto* w = inverseDepth.ptr<float>(y);
     auto* on = onPlane.ptr<std::uint8_t>(y);
     for (int x = 0; x < onPlane.cols; ++x) {
-      on[x] = w[x] > 0 && plane->contains(static_cast<float>(x), static_cast<float>(y), w[x]) ? 255 : 0;
+      const cv::Vec3f point(static_cast<float>(x), static_cast<float>(y), w[x]);
+      on[x] = w[x] > 0 && plane->contains(point, noise_per_m) ? 255 : 0;
     }
   }
   return onPlane;

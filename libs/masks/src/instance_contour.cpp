@@ -62,8 +62,8 @@ InstanceContour::InstanceContour(const InstanceCrop& view, const ContourOptions&
 cv::Mat InstanceContour::refined() {
   const cv::Mat surroundings = widened(view_.mask, kRing_px);
   const cv::Mat ring = surroundings & ~widened(view_.mask, kGap_px) & view_.isFree;
-  onPlane_ = dominantPlane(view_.inverseDepth, ring);
-  surfaces_ = findSurfaces(view_.inverseDepth, onPlane_);
+  onPlane_ = dominantPlane(view_.inverseDepth, ring, view_.depthNoise);
+  surfaces_ = findSurfaces(view_.inverseDepth, onPlane_, view_.depthNoise);
   removeForeignSurfaces();
   const cv::Mat outside = surroundings & ~mask_ & available_ & measured_;
   looksLikeOutside_ = backgroundEvidence(view_.color_bgr, mask_ & measured_, outside) > kMinEvidence;
@@ -147,7 +147,7 @@ void InstanceContour::settleUnmeasured() {
 
 bool InstanceContour::isJoined(cv::Point a, cv::Point b) const {
   return surfaces_.labels.at<int>(a) == surfaces_.labels.at<int>(b) &&
-         isContinuous(view_.inverseDepth.at<float>(a), view_.inverseDepth.at<float>(b));
+         isContinuous(view_.inverseDepth.at<float>(a), view_.inverseDepth.at<float>(b), view_.depthNoise);
 }
 
 }  // namespace wardslam::masks

@@ -11,6 +11,7 @@ namespace wardslam::masks {
 /// What one instance and its surroundings look like, at the resolution contours are worked out in.
 struct InstanceCrop {
   cv::Mat inverseDepth;             ///< CV_32FC1, 1/m, 0 = none.
+  core::DepthNoise depthNoise;      ///< Of what was measured.
   cv::Mat color_bgr;                ///< CV_8UC3
   cv::Mat mask;                     ///< CV_8UC1, 255 on the instance.
   cv::Mat isFree;                   ///< CV_8UC1, 255 where there is no instance.

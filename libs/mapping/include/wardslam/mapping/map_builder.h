@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <set>
+#include <string>
 
 #include "wardslam/core/label_space.h"
 #include "wardslam/knowledge/motion_rules.h"
@@ -31,6 +32,7 @@ struct FloorSeen {
   std::size_t keyframes = 0;  ///< Of the map;
   std::size_t seen = 0;       ///< those whose image shows the floor.
   double tilt_rad = 0.0;      ///< Of that floor, on the whole, in the map frame, whose z axis should be up.
+  std::string planTrouble;    ///< Why the map has no floor plan, though it was drawn; else empty.
 };
 
 /// What a map is told before anything is seen.

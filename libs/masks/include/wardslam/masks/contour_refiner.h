@@ -3,6 +3,7 @@
 #include <bitset>
 #include <opencv2/core.hpp>
 
+#include "wardslam/core/depth_noise.h"
 #include "wardslam/core/segmentation.h"
 
 namespace wardslam::masks {
@@ -33,10 +34,11 @@ class ContourRefiner {
   ContourRefiner(const ContourOptions& options, const ClassSet& classes) : options_(options), classes_(classes) {}
 
   /// `found` with the outlines of the instances of these classes refined, and boxes to fit; it shares no changed
-  /// pixels. `color_bgr` is CV_8UC3, `depth_m` CV_32FC1 with 0 = none. An instance with little depth, or one that would
-  /// lose most of its pixels, is left alone; where images are empty or differ in size, `found` comes back unchanged.
+  /// pixels. `color_bgr` is CV_8UC3, `depth_m` CV_32FC1 with 0 = none and noise as told. An instance with little depth,
+  /// or one that would lose most of its pixels, is left alone; where images are empty or differ in size, `found` comes
+  /// back unchanged.
   [[nodiscard]] core::Segmentation refine(const cv::Mat& color_bgr, const cv::Mat& depth_m,
-                                          const core::Segmentation& found) const;
+                                          const core::DepthNoise& depthNoise, const core::Segmentation& found) const;
 
  private:
   ContourOptions options_;
