@@ -63,16 +63,43 @@ TEST_F(ReachTest, TakesAPieceInBetweenForAsFarAsItLed) {
   EXPECT_FALSE(isWithinReach(8.1)) << "ten seconds of tracking are no time to go where one likes";
 }
 
+TEST_F(ReachTest, AStretchInBetweenLeadsNoLessFarThanItLed) {
+  go(0.0);
+  loseAndGo(2.0);                        // 4 m
+  for (int i = 0; i < 10; ++i) go(2.0);  // twenty metres straight on
+  loseAndGo(2.0);                        // 4 m
+  EXPECT_TRUE(isWithinReach(12.1));
+  EXPECT_FALSE(isWithinReach(11.9));
+  EXPECT_FALSE(isWithinReach(0.0)) << "where it began is one room, and this is another that looks the same";
+}
+
 TEST_F(ReachTest, KnowsHowFarItWentUnseen) {
   go(0.0);
   go(2.0);
   const auto lost_m = [&] {
-    return lostBetween_m(graph_, {1, graph_.keyframes().rbegin()->first, Eigen::Isometry3d::Identity(), 100, {}, {1}}, options_);
+    return lostBetween_m(graph_, {1, graph_.keyframes().rbegin()->first, Eigen::Isometry3d::Identity(), 100, {}, {1}},
+                         options_);
   };
   loseAndGo(4.0);
   EXPECT_NEAR(lost_m(), 7.0, 1e-9);
   loseAndGo(2.0);
   EXPECT_NEAR(lost_m(), 11.0, 1e-9) << "what it tracked in between is no gap";
+}
+
+TEST_F(ReachTest, WentUnseenAtTheSpeedThatItIsSeenToGoWith) {
+  const auto lost_m = [&] {
+    return lostBetween_m(graph_, {1, graph_.keyframes().rbegin()->first, Eigen::Isometry3d::Identity(), 100, {}, {1}},
+                         options_);
+  };
+  go(0.0);
+  loseAndGo(4.0);
+  EXPECT_NEAR(lost_m(), 3.0, 1e-9) << "it stood: 1 m and 0.5 m/s";
+  go(0.6);
+  EXPECT_NEAR(lost_m(), 4.6, 1e-9) << "half as fast again as 0.6 m/s";
+  go(0.3, 0.1);
+  EXPECT_NEAR(lost_m(), 4.6, 1e-9) << "so short a step tells of noise";
+  go(2.0);
+  EXPECT_NEAR(lost_m(), 7.0, 1e-9) << "max_speed_mps";
 }
 
 TEST_F(ReachTest, AsksOnlyThisRun) {
