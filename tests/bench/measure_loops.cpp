@@ -1,3 +1,5 @@
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -5,6 +7,7 @@
 #include <vector>
 
 #include "wardslam/core/errors.h"
+#include "wardslam/core/mrpt_compat.h"
 #include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/sources/observation_source.h"
@@ -45,7 +48,57 @@ struct Counts {
   std::size_t visits = 0;      ///< Times an earlier place was come back to.
   std::size_t visitsTied = 0;  ///< Of these, the ones that the map has where they are.
   double worstLoop_m = 0.0;
+  std::size_t meetings = 0;        ///< Stretches tracked without a gap that come to where an earlier one was.
+  std::size_t meetingsJoined = 0;  ///< Of these, the ones the map has where they are.
 };
+
+/// Where tracking found itself again after it was lost.
+struct Relocalisations {
+  std::size_t all = 0;
+  std::size_t wrong = 0;
+
+  void add(const odometry::OdometryResult& result, const Eigen::Isometry3d* T_world_cam) {
+    if (!result.hasPose() || T_world_cam == nullptr) {
+      wasLost_ = true;
+      return;
+    }
+    const bool isSamePiece = last_ && last_->first.piece == result.piece;
+    if (wasLost_ && isSamePiece) {
+      ++all;
+      const Eigen::Isometry3d step = last_->first.T_map_cam.inverse() * result.T_map_cam;
+      const Eigen::Isometry3d trueStep = last_->second.inverse() * *T_world_cam;
+      if ((trueStep.inverse() * step).translation().norm() > kFalse_m) ++wrong;
+    }
+    wasLost_ = false;
+    last_ = {result, *T_world_cam};
+  }
+
+ private:
+  bool wasLost_ = false;
+  std::optional<std::pair<odometry::OdometryResult, Eigen::Isometry3d>> last_;
+};
+
+/// Stretches of tracking, by their submaps, that meet an earlier one: are they one piece, and do they lie rightly?
+void compareMeetings(const Keyframes& keyframes, const Truth& truth, Counts& counts) {
+  std::map<std::uint32_t, bool> isRightOf;
+  for (const auto& [id, node] : keyframes) {
+    const auto* here = truth.at(node.keyframe->stamp_s);
+    for (const auto& [older, olderNode] : keyframes) {
+      if (older >= id || here == nullptr) break;
+      const auto* there = truth.at(olderNode.keyframe->stamp_s);
+      if (olderNode.keyframe->submap == node.keyframe->submap || there == nullptr) continue;
+      const Eigen::Isometry3d step = there->inverse() * *here;
+      const bool meets =
+          step.translation().norm() < kRevisit_m && Eigen::AngleAxisd(step.linear()).angle() < kRevisit_rad;
+      if (!meets) continue;
+      const Eigen::Isometry3d inMap = olderNode.T_map_cam.inverse() * node.T_map_cam;
+      const bool isRight = olderNode.submap == node.submap && (step.inverse() * inMap).translation().norm() < kRight_m;
+      isRightOf[node.keyframe->submap] = isRightOf[node.keyframe->submap] || isRight;
+    }
+  }
+  counts.meetings = isRightOf.size();
+  for (const auto& [submap, isRight] : isRightOf) counts.meetingsJoined += isRight ? 1U : 0U;
+}
 
 Counts compare(const graph::Mapper& mapper, const Truth& truth) {
   Counts counts;
@@ -97,6 +150,7 @@ Counts compare(const graph::Mapper& mapper, const Truth& truth) {
     lastRevisit_s = node.keyframe->stamp_s;
   }
   endVisit();
+  compareMeetings(keyframes, truth, counts);
   return counts;
 }
 
@@ -110,19 +164,24 @@ void run(const std::string& recording, const std::string& truthFile, const std::
   const auto source = sources::openSource(recording, {});
   std::size_t frames = 0;
   std::size_t tracked = 0;
+  const Truth truth(truthFile);
+  Relocalisations relocalisations;
   while (const auto observation = source->next()) {
     ++frames;
-    tracked += slam.process(observation).hasPose() ? 1U : 0U;
+    const auto result = slam.process(observation);
+    relocalisations.add(result, truth.at(core::fromMrptTime(observation->timestamp)));
+    tracked += result.hasPose() ? 1U : 0U;
   }
   slam.finish();
-  const Counts counts = compare(slam.mapper(), Truth(truthFile));
+  const Counts counts = compare(slam.mapper(), truth);
   std::printf(
       "%s: %zu of %zu frames tracked, %zu keyframes, %zu pieces, %zu joined, %zu loops closed, %zu taken back; "
-      "%zu of %zu loop edges false (worst %.2f m), %zu of %zu visits tied\n",
+      "%zu of %zu loop edges false (worst %.2f m), %zu of %zu visits tied, %zu of %zu meetings of stretches joined; "
+      "%zu of %zu relocalisations wrong\n",
       recording.c_str(), tracked, frames, slam.mapper().graph().keyframes().size(),
       slam.mapper().pieces().sizes().size(), slam.mapper().submapsJoined(), slam.mapper().loopsClosed(),
       slam.mapper().loopsTakenBack(), counts.falseLoops, counts.loops, counts.worstLoop_m, counts.visitsTied,
-      counts.visits);
+      counts.visits, counts.meetingsJoined, counts.meetings, relocalisations.wrong, relocalisations.all);
   exchange::TumTrajectoryWriter writer(recording + ".estimate.txt");
   for (const auto& pose : slam.trajectory()) writer.write(pose);
   writer.finish();

@@ -122,5 +122,56 @@ TEST(KeyframeGraph, ARemovedKeyframeTakesAlongWhatOnlyItSaw) {
   EXPECT_THAT(graph.covisible(2), IsEmpty());
 }
 
+/// All that a loop does.
+void changeAll(KeyframeGraph& graph) {
+  graph.joinSubmaps(2, 1);
+  graph.setPose(1, makePose({1, 0, 0}));
+  graph.setPose(1, makePose({2, 0, 0}));
+  graph.setPosition(1, {7, 7, 7});
+  graph.setPosition(4, {8, 8, 8});
+  graph.fuse(4, 1);
+  graph.setPosition(1, {9, 9, 9});
+  graph.removeSighting(1, 2);
+  graph.removeSighting(1, 3);
+}
+
+TEST(KeyframeGraph, ATrialIsTakenBackWhole) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1, 2, 3}));
+  graph.insert(handMadeKeyframe(2, {4, 2, 5}, 2));
+  const KeyframeGraph before = graph;
+  graph.beginTrial();
+  changeAll(graph);
+  graph.takeBack();
+  ASSERT_EQ(graph.keyframes().size(), 2U);
+  for (const auto& [id, node] : before.keyframes()) {
+    EXPECT_EQ(graph.keyframes().at(id).T_map_cam.matrix(), node.T_map_cam.matrix());
+    EXPECT_EQ(graph.keyframes().at(id).keypointOf, node.keypointOf);
+    EXPECT_EQ(graph.keyframes().at(id).submap, node.submap);
+  }
+  ASSERT_EQ(graph.points().size(), before.points().size());
+  for (const auto& [id, node] : before.points()) {
+    EXPECT_EQ(graph.points().at(id).point.p_map_m, node.point.p_map_m) << id;
+    EXPECT_EQ(graph.points().at(id).point.viewedFrom_map_m, node.point.viewedFrom_map_m) << id;
+    EXPECT_EQ(graph.points().at(id).seenBy, node.seenBy) << id;
+  }
+  graph.insert(handMadeKeyframe(3, {4, 2}, 2));
+  EXPECT_THAT(graph.keyframes().at(3).keypointOf, ElementsAre(Pair(2, 1), Pair(4, 0))) << "nothing was fused";
+  EXPECT_EQ(graph.keyframes().at(3).submap, 2U) << "nothing was joined";
+}
+
+TEST(KeyframeGraph, WhatATrialChangedStaysWhenItEnds) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1, 2, 3}));
+  graph.insert(handMadeKeyframe(2, {4, 2, 5}, 2));
+  graph.beginTrial();
+  changeAll(graph);
+  graph.endTrial();
+  graph.takeBack();  // there is nothing any more
+  EXPECT_EQ(graph.points().count(4), 0U);
+  EXPECT_EQ(graph.keyframes().at(2).submap, 1U);
+  EXPECT_TRUE(graph.keyframes().at(1).T_map_cam.isApprox(makePose({2, 0, 0})));
+}
+
 }  // namespace
 }  // namespace wardslam::graph

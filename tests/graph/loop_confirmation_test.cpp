@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "graph/synthetic_walk.h"
 
 namespace wardslam::graph {
@@ -72,6 +74,100 @@ TEST_F(LoopConfirmationTest, WaitsWhileAnotherPlaceLooksTheSame) {
   EXPECT_THAT(see(18, {loop(4, 18)}), IsEmpty());
   EXPECT_THAT(see(19, {loop(5, 19)}), IsEmpty());
   EXPECT_THAT(see(20, {loop(6, 20)}), SizeIs(6)) << "the other has not been seen for long";
+}
+
+/// Keyframes from 15 on are of another piece.
+class JoinConfirmationTest : public LoopConfirmationTest {
+ protected:
+  JoinConfirmationTest() {
+    graph_ = KeyframeGraph();
+    for (KeyframeId id = 1; id <= 20; ++id) {
+      auto keyframe = std::make_shared<odometry::Keyframe>();
+      keyframe->id = id;
+      keyframe->submap = id < 15 ? 1 : 2;
+      if (id != 1 && id != 15) keyframe->T_previous_cam = makePose({1, 0, 0});
+      graph_.insert(keyframe);
+    }
+    options_.keyframes = 2;
+    options_.keyframes_to_join = 3;
+    confirmation_ = LoopConfirmation(options_);
+  }
+
+  static Loop strongLoop(KeyframeId older, KeyframeId newer) {
+    Loop strong = loop(older, newer);
+    strong.spread = 0.75;
+    strong.depth.agreeing = 2000;
+    strong.depth.unknown = 1000;
+    return strong;
+  }
+  std::vector<Loop> settle() {
+    return confirmation_.settle(graph_, [this](const Loop& loop) { return refused_.count(loop.newer) != 0; });
+  }
+
+  std::set<KeyframeId> refused_;
+};
+
+TEST_F(JoinConfirmationTest, AsksForMoreThanALoop) {
+  EXPECT_THAT(see(15, {loop(1, 15)}), IsEmpty());
+  EXPECT_THAT(see(16, {loop(2, 16)}), IsEmpty());
+  EXPECT_THAT(see(17, {loop(3, 17)}), SizeIs(3));
+}
+
+TEST_F(JoinConfirmationTest, TakesOneStrongLook) { EXPECT_THAT(see(15, {strongLoop(1, 15)}), SizeIs(1)); }
+
+TEST_F(JoinConfirmationTest, AStrongLookIsManyPointsAllOverTheImageBorneOutByDepth) {
+  EXPECT_TRUE(confirmation_.isStrong(strongLoop(1, 15)));
+  Loop weak = strongLoop(1, 15);
+  weak.inliers = 79;
+  EXPECT_FALSE(confirmation_.isStrong(weak));
+  weak = strongLoop(1, 15);
+  weak.spread = 0.4;
+  EXPECT_FALSE(confirmation_.isStrong(weak)) << "one poster";
+  weak = strongLoop(1, 15);
+  weak.depth.seenThrough = 150;
+  EXPECT_FALSE(confirmation_.isStrong(weak));
+  weak = strongLoop(1, 15);
+  weak.depth = {};
+  EXPECT_FALSE(confirmation_.isStrong(weak)) << "of which depth says nothing";
+}
+
+TEST_F(JoinConfirmationTest, OneOfTwoPlacesThatLookAlikeIsNotChosen) {
+  EXPECT_THAT(see(15, {strongLoop(1, 15), strongLoop(8, 15)}), IsEmpty());
+  EXPECT_THAT(see(20, {}), IsEmpty()) << "by now both are forgotten, for now";
+  EXPECT_THAT(see(20, {strongLoop(6, 20)}), IsEmpty()) << "the other still speaks against it";
+  EXPECT_THAT(settle(), IsEmpty());
+}
+
+TEST_F(JoinConfirmationTest, AfterItWentFarUnseenOneRoomIsNotEnough) {
+  KeyframeGraph lost;
+  for (KeyframeId id = 1; id <= 28; ++id) {
+    auto keyframe = std::make_shared<odometry::Keyframe>();
+    keyframe->id = id;
+    keyframe->submap = id < 15 ? 1 : 2;
+    keyframe->stamp_s = static_cast<double>(id) + (id < 15 ? 0.0 : 10.0);  // 1 m and 11 s at 1.5 m/s
+    if (id != 1 && id != 15) keyframe->T_previous_cam = makePose({1, 0, 0});
+    lost.insert(keyframe);
+  }
+  for (KeyframeId newest = 15; newest <= 23; ++newest) {
+    EXPECT_THAT(confirmation_.confirm(lost, newest, {strongLoop(newest - 14, newest)}), IsEmpty()) << newest;
+  }
+  EXPECT_THAT(confirmation_.confirm(lost, 24, {strongLoop(10, 24)}), SizeIs(10)) << "nine metres on";
+}
+
+TEST_F(JoinConfirmationTest, InTheEndTakesTheBestThereWas) {
+  see(15, {loop(1, 15)});
+  see(16, {loop(2, 16)});
+  EXPECT_THAT(see(20, {}), IsEmpty());
+  const auto settled = settle();
+  ASSERT_THAT(settled, SizeIs(2));
+  EXPECT_EQ(settled.front().newer, 16U) << "the newest first";
+  EXPECT_THAT(settle(), IsEmpty()) << "there is no more";
+}
+
+TEST_F(JoinConfirmationTest, InTheEndLeavesOutWhatIsRefused) {
+  see(15, {loop(1, 15)});
+  refused_ = {15};
+  EXPECT_THAT(settle(), IsEmpty());
 }
 
 TEST_F(LoopConfirmationTest, SaysWhereToLookNext) {

@@ -98,6 +98,37 @@ TEST_F(MapperTest, OneLookMakesNoLoop) {
   EXPECT_EQ(mapper.pieces().sizes().size(), 1U);
 }
 
+TEST_F(MapperTest, ARunThatEndsSoonIsJoinedByWhatThereWas) {
+  Mapper mapper(fewAndFast(), {});
+  for (const auto& keyframe : walk_.walk(16)) insert(mapper, keyframe);
+  walk_.loseTrack();
+  for (int back = 0; back < 12; ++back) walk_.stepBack();
+  insert(mapper, walk_.step());
+  ASSERT_EQ(mapper.submapsJoined(), 0U) << "one look is not enough while more may come";
+  const auto update = mapper.settle();
+  ASSERT_TRUE(update);
+  ASSERT_TRUE(update->joined);
+  EXPECT_EQ(update->joined->into, 1U);
+  EXPECT_TRUE(update->movesTheMap);
+  EXPECT_EQ(update->newestKeyframe, 17U);
+  EXPECT_EQ(mapper.submapsJoined(), 1U);
+  EXPECT_LT(error_m(mapper, 17), 0.03);
+  EXPECT_FALSE(mapper.settle()) << "there is no more";
+}
+
+TEST_F(MapperTest, NobodyIsJoinedToAPlaceHeCannotHaveReached) {
+  GraphOptions options = fewAndFast();
+  options.loop_verification.max_speed_mps = 0.01;  // the camera stood a metre and more away a second ago
+  options.loop_verification.lost_margin_m = 0.1;
+  Mapper mapper(options, {});
+  for (const auto& keyframe : walk_.walk(16)) insert(mapper, keyframe);
+  walk_.loseTrack();
+  for (int back = 0; back < 12; ++back) walk_.stepBack();
+  for (int i = 0; i < 5; ++i) insert(mapper, walk_.step());
+  EXPECT_FALSE(mapper.settle());
+  EXPECT_EQ(mapper.pieces().sizes().size(), 2U);
+}
+
 TEST_F(MapperTest, TakesALoopBackThatDoesNotFit) {
   GraphOptions options = fewAndFast();
   options.loop_verification.min_drift_m = 100.0;  // whatever looks alike is believed, by single looks
@@ -192,7 +223,7 @@ TEST_F(MapperTest, JoinsSubmapsThatMeet) {
     EXPECT_EQ(node.submap, 1U) << id;
     EXPECT_LT(error_m(mapper, id), 0.04) << id << " stands where it should in the frame of the first";
   }
-  EXPECT_EQ(closings_.front().T_map_cam.size(), mapper.loops().front().newer);
+  EXPECT_EQ(closings_.front().T_map_cam.size(), closings_.front().newestKeyframe);
 }
 
 TEST_F(MapperTest, AdjustsEverythingOnceMoreAtTheEnd) {

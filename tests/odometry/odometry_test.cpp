@@ -149,6 +149,56 @@ TEST_F(OdometryTest, IsLostWhenFeaturesVanishAndRecoversWhenTheyReturn) {
   }
 }
 
+TEST_F(OdometryTest, FindsItselfNoFartherAwayThanItCanHaveGone) {
+  for (int image = 0; image < kImages; ++image) trackImage(image);
+  track({});
+  // It is carried back by a metre, within a thirtieth of a second: what looks like that place is another.
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(trackImage(i).state, State::Lost);
+  stamp_s_ += 1.0;
+  const auto later = trackImage(4);
+  EXPECT_EQ(later.state, State::Ok);
+  EXPECT_LT(distance_m(later.T_map_cam, truth(4)), 0.01);
+}
+
+TEST_F(OdometryTest, DoesNotChooseBetweenTwoPlacesThatItSeesAtOnce) {
+  for (int image = 0; image < kImages; ++image) trackImage(image);
+  track({});
+  auto both = world_.look(SyntheticWorld::T_world_cam(0, kImages), kNoise);
+  const auto other = world_.look(SyntheticWorld::T_world_cam(kImages - 1, kImages), kNoise);
+  core::Features half;
+  const auto take = [&](const core::Features& features, std::size_t first) {
+    for (std::size_t i = first; i < features.size(); i += 2) {
+      half.keypoints.push_back(features.keypoints[i]);
+      half.descriptors.push_back(features.descriptors.row(static_cast<int>(i)));
+    }
+  };
+  take(both, 0);
+  take(other, 1);
+  stamp_s_ += 10.0;
+  EXPECT_EQ(track(half).state, State::Lost);
+}
+
+TEST_F(OdometryTest, DoesNotFindItselfWhereDepthSaysThatNothingIs) {
+  for (int image = 0; image < 20; ++image) trackImage(image);
+  track({});
+  const auto features = world_.look(SyntheticWorld::T_world_cam(20, kImages), kNoise);
+  const DepthImage empty{cv::Mat(480, 640, CV_32FC1, cv::Scalar(9.0F)), {}};  // all that is known is nearer
+  const auto lost = odometry_.track(stamp_s_ += 1.0 / 30, SyntheticWorld::camera(), features, empty);
+  EXPECT_EQ(lost.state, State::Lost);
+  const DepthImage full{cv::Mat(480, 640, CV_32FC1, cv::Scalar(1.0F)), {}};  // people all around, say
+  EXPECT_EQ(odometry_.track(stamp_s_ += 1.0 / 30, SyntheticWorld::camera(), features, full).state, State::Ok);
+}
+
+TEST_F(OdometryTest, KeyframesKeepTheirDepth) {
+  EXPECT_EQ(trackImage(0).keyframe->depth, nullptr) << "none was told";
+  odometry_ = Odometry(options());
+  const DepthImage wall{cv::Mat(480, 640, CV_32FC1, cv::Scalar(3.0F)), {}};
+  const auto features = world_.look(SyntheticWorld::T_world_cam(0, kImages), kNoise);
+  const auto result = odometry_.track(1.0, SyntheticWorld::camera(), features, wall);
+  ASSERT_NE(result.keyframe->depth, nullptr);
+  EXPECT_EQ(result.keyframe->depth->nearest_mm.at(100), 3000);
+}
+
 TEST_F(OdometryTest, ForeignFeaturesAreNoPlaceItKnows) {
   for (int image = 0; image < 10; ++image) trackImage(image);
   EXPECT_EQ(track(world_.lookElsewhere(800)).state, State::Lost);

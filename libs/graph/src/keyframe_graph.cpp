@@ -1,6 +1,7 @@
 #include "wardslam/graph/keyframe_graph.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace wardslam::graph {
 
@@ -13,6 +14,7 @@ void KeyframeGraph::insert(const std::shared_ptr<const odometry::Keyframe>& keyf
 void KeyframeGraph::restore(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                             const std::map<PointId, Eigen::Vector3d>& p_map_m) {
   insertAt(keyframe, keyframe->T_map_cam);
+  keyframes_.at(keyframe->id).isRestored = true;
   for (const auto& [point, keypoint] : keyframes_.at(keyframe->id).keypointOf) {
     if (const auto known = p_map_m.find(point); known != p_map_m.end()) setPosition(point, known->second);
   }
@@ -25,7 +27,7 @@ void KeyframeGraph::hold() {
 
 void KeyframeGraph::insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                              const Eigen::Isometry3d& T_map_cam) {
-  KeyframeNode node{keyframe, T_map_cam, {}, currentSubmapOf(*keyframe), false};
+  KeyframeNode node{keyframe, T_map_cam, {}, currentSubmapOf(*keyframe)};
   for (const auto& [seenAs, keypointIndex] : keyframe->sightings) {
     const PointId id = currentIdOf(seenAs);
     const auto& keypoint = keyframe->features.keypoints[keypointIndex];
@@ -58,13 +60,22 @@ std::vector<std::pair<KeyframeId, std::size_t>> KeyframeGraph::covisible(Keyfram
   return neighbours;
 }
 
+void KeyframeGraph::setPose(KeyframeId id, const Eigen::Isometry3d& T_map_cam) {
+  KeyframeNode& node = keyframes_.at(id);
+  if (trial_) trial_->T_map_cam.emplace(id, node.T_map_cam);
+  node.T_map_cam = T_map_cam;
+}
+
 void KeyframeGraph::setPosition(PointId id, const Eigen::Vector3d& p_map_m) {
   odometry::MapPoint& point = points_.at(id).point;
+  if (trial_) trial_->p_viewedFrom_map_m.emplace(id, std::pair(point.p_map_m, point.viewedFrom_map_m));
   point.viewedFrom_map_m += p_map_m - point.p_map_m;
   point.p_map_m = p_map_m;
 }
 
 void KeyframeGraph::removeSighting(KeyframeId keyframe, PointId point) {
+  keepSightings(keyframe);
+  keep(point);
   keyframes_.at(keyframe).keypointOf.erase(point);
   const auto node = points_.find(point);
   node->second.seenBy.erase(keyframe);
@@ -83,7 +94,11 @@ std::vector<PointId> KeyframeGraph::remove(KeyframeId id) {
 }
 
 void KeyframeGraph::fuse(PointId from, PointId into) {
+  keep(from);
+  keep(into);
+  if (trial_) trial_->fused.push_back(from);
   for (const KeyframeId id : points_.at(from).seenBy) {
+    keepSightings(id);
     auto& keypointOf = keyframes_.at(id).keypointOf;
     const std::size_t keypoint = keypointOf.at(from);
     keypointOf.erase(from);
@@ -105,12 +120,43 @@ PointId KeyframeGraph::currentIdOf(PointId id) const {
 
 void KeyframeGraph::joinSubmaps(std::uint32_t from, std::uint32_t into) {
   for (auto& [id, node] : keyframes_) {
-    if (node.submap == from) node.submap = into;
+    if (node.submap != from) continue;
+    if (trial_) trial_->submap.emplace(id, node.submap);
+    node.submap = into;
   }
   for (auto& [submap, joined] : joinedInto_) {
     if (joined == from) joined = into;
   }
   joinedInto_[from] = into;
+}
+
+void KeyframeGraph::beginTrial() {
+  trial_.emplace();
+  trial_->joinedInto = joinedInto_;
+}
+
+void KeyframeGraph::keepSightings(KeyframeId id) {
+  if (trial_ && trial_->keypointOf.count(id) == 0) trial_->keypointOf.emplace(id, keyframes_.at(id).keypointOf);
+}
+
+void KeyframeGraph::keep(PointId id) {
+  if (trial_ && trial_->points.count(id) == 0) trial_->points.emplace(id, points_.at(id));
+}
+
+void KeyframeGraph::takeBack() {
+  if (!trial_) return;
+  Trial before = std::move(*trial_);
+  trial_.reset();
+  for (const PointId id : before.fused) fusedInto_.erase(id);
+  joinedInto_ = std::move(before.joinedInto);
+  for (auto& [id, node] : before.points) points_.insert_or_assign(id, std::move(node));
+  for (const auto& [id, positions_m] : before.p_viewedFrom_map_m) {
+    odometry::MapPoint& point = points_.at(id).point;
+    std::tie(point.p_map_m, point.viewedFrom_map_m) = positions_m;
+  }
+  for (auto& [id, sightings] : before.keypointOf) keyframes_.at(id).keypointOf = std::move(sightings);
+  for (const auto& [id, submap] : before.submap) keyframes_.at(id).submap = submap;
+  for (const auto& [id, T_map_cam] : before.T_map_cam) keyframes_.at(id).T_map_cam = T_map_cam;
 }
 
 }  // namespace wardslam::graph

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+
+#include "reach.h"
 
 namespace wardslam::graph {
 namespace {
 
+constexpr double kLeastDouble_m = 8.0;  // nearer to each other, rooms that look the same are rare,
+constexpr double kMostRoom_m = 8.0;     // and larger is hardly one that looks the same all over
+constexpr std::size_t kMostUnsettled = 200;
 constexpr double kDisagreementPerMetre = 0.03;  // the camera goes on between two looks, and drifts
 
 /// Where the newer keyframe stands by the loop, in the older one's map frame.
@@ -14,6 +20,20 @@ Eigen::Isometry3d T_map_newer(const KeyframeGraph& graph, const Loop& loop) {
 }
 
 std::uint32_t pieceOf(const KeyframeGraph& graph, KeyframeId id) { return graph.keyframes().at(id).submap; }
+
+bool joins(const KeyframeGraph& graph, const Loop& loop) {
+  return pieceOf(graph, loop.older) != pieceOf(graph, loop.newer);
+}
+
+bool areOfSamePieces(const KeyframeGraph& graph, const Loop& a, const Loop& b) {
+  return pieceOf(graph, a.older) == pieceOf(graph, b.older) && pieceOf(graph, a.newer) == pieceOf(graph, b.newer);
+}
+
+std::pair<std::size_t, int> evidenceOf(const std::vector<Loop>& loops) {
+  int inliers = 0;
+  for (const Loop& loop : loops) inliers = std::max(inliers, loop.inliers);
+  return {loops.size(), inliers};
+}
 
 }  // namespace
 
@@ -65,29 +85,75 @@ std::vector<Loop> LoopConfirmation::confirm(const KeyframeGraph& graph, Keyframe
       same->back() = loop;  // the same, by another keyframe of the place
     }
   }
-  const auto isOver = [&](const Hypothesis& known) {
-    return known.back().newer + static_cast<KeyframeId>(options_.max_gap) < newest;
-  };
-  hypotheses_.erase(std::remove_if(hypotheses_.begin(), hypotheses_.end(), isOver), hypotheses_.end());
+  forget(graph, newest);
   const auto confirmed = std::find_if(hypotheses_.begin(), hypotheses_.end(),
                                       [&](const Hypothesis& known) { return isConfirmed(graph, known); });
   if (confirmed == hypotheses_.end()) return {};
   auto loops = std::move(*confirmed);
-  hypotheses_.clear();  // the others were measured in a map that changes now
+  hypotheses_.erase(confirmed);
+  forget(graph, std::numeric_limits<KeyframeId>::max());  // the others were measured in a map that changes now
+  std::reverse(loops.begin(), loops.end());
+  return loops;
+}
+
+/// What is not seen again, for now.
+void LoopConfirmation::forget(const KeyframeGraph& graph, KeyframeId newest) {
+  const auto goesOn = [&](const Hypothesis& known) {
+    return known.back().newer + static_cast<KeyframeId>(options_.max_gap) >= newest;
+  };
+  const auto over = std::stable_partition(hypotheses_.begin(), hypotheses_.end(), goesOn);
+  for (auto known = over; known != hypotheses_.end(); ++known) {
+    if (joins(graph, known->back())) keepUnsettled(graph, std::move(*known));
+  }
+  hypotheses_.erase(over, hypotheses_.end());
+}
+
+/// Beside what said the same earlier on; the weakest goes when there are too many.
+void LoopConfirmation::keepUnsettled(const KeyframeGraph& graph, Hypothesis hypothesis) {
+  const auto same = std::find_if(unsettled_.begin(), unsettled_.end(), [&](const Hypothesis& known) {
+    return agree(graph, known.back(), hypothesis.back());
+  });
+  if (same != unsettled_.end()) {
+    same->insert(same->end(), hypothesis.begin(), hypothesis.end());
+    return;
+  }
+  unsettled_.push_back(std::move(hypothesis));
+  if (unsettled_.size() <= kMostUnsettled) return;
+  const auto isWeaker = [](const auto& a, const auto& b) { return evidenceOf(a) < evidenceOf(b); };
+  unsettled_.erase(std::min_element(unsettled_.begin(), unsettled_.end(), isWeaker));
+}
+
+std::vector<Loop> LoopConfirmation::settle(const KeyframeGraph& graph,
+                                           const std::function<bool(const Loop&)>& isRefused) {
+  forget(graph, std::numeric_limits<KeyframeId>::max());
+  for (Hypothesis& known : unsettled_) {
+    const auto saysNothing = [&](const Loop& loop) { return !joins(graph, loop) || isRefused(loop); };
+    known.erase(std::remove_if(known.begin(), known.end(), saysNothing), known.end());
+  }
+  const auto isEmpty = [](const Hypothesis& known) { return known.empty(); };
+  unsettled_.erase(std::remove_if(unsettled_.begin(), unsettled_.end(), isEmpty), unsettled_.end());
+  std::stable_sort(unsettled_.begin(), unsettled_.end(),
+                   [](const auto& a, const auto& b) { return evidenceOf(a) > evidenceOf(b); });
+  const auto best = std::find_if(unsettled_.begin(), unsettled_.end(), [&](const Hypothesis& known) {
+    return isWideEnough(graph, known) && !hasRival(graph, known);
+  });
+  if (best == unsettled_.end()) return {};
+  auto loops = std::move(*best);
+  unsettled_.erase(best);
   std::reverse(loops.begin(), loops.end());
   return loops;
 }
 
 void LoopConfirmation::apply(const odometry::RemovedKeyframe& removed) {
-  for (Hypothesis& hypothesis : hypotheses_) {
-    for (Loop& loop : hypothesis) rehang(loop, removed);
+  for (auto* const hypotheses : {&hypotheses_, &unsettled_}) {
+    for (Hypothesis& hypothesis : *hypotheses) {
+      for (Loop& loop : hypothesis) rehang(loop, removed);
+    }
   }
 }
 
 bool LoopConfirmation::agree(const KeyframeGraph& graph, const Loop& a, const Loop& b) const {
-  if (pieceOf(graph, a.older) != pieceOf(graph, b.older) || pieceOf(graph, a.newer) != pieceOf(graph, b.newer)) {
-    return false;
-  }
+  if (!areOfSamePieces(graph, a, b)) return false;
   const Eigen::Isometry3d byLoops = T_map_newer(graph, a).inverse() * T_map_newer(graph, b);
   const Eigen::Isometry3d byWay =
       graph.keyframes().at(a.newer).T_map_cam.inverse() * graph.keyframes().at(b.newer).T_map_cam;
@@ -97,15 +163,47 @@ bool LoopConfirmation::agree(const KeyframeGraph& graph, const Loop& a, const Lo
          Eigen::AngleAxisd(difference.linear()).angle() < options_.max_disagreement_rad;
 }
 
-/// A rival with half as many witnesses says that this place looks like another: then only going on tells.
+/// One strong look makes a join where a loop would ask for a second look that bears it out.
 bool LoopConfirmation::isConfirmed(const KeyframeGraph& graph, const Hypothesis& hypothesis) const {
+  const bool isJoin = joins(graph, hypothesis.back());
+  const auto enough = static_cast<std::size_t>(isJoin ? options_.keyframes_to_join : options_.keyframes);
+  const bool isEnough = hypothesis.size() >= enough;
+  const auto isStrongLook = [this](const Loop& loop) { return isStrong(loop); };
+  if (!isEnough && !(isJoin && std::any_of(hypothesis.begin(), hypothesis.end(), isStrongLook))) return false;
+  return isWideEnough(graph, hypothesis) && !hasRival(graph, hypothesis);
+}
+
+/// Where the camera went unseen so far that it may be in another room that looks the same, a room is not enough.
+bool LoopConfirmation::isWideEnough(const KeyframeGraph& graph, const Hypothesis& hypothesis) const {
   const Loop& last = hypothesis.back();
-  const bool joins = pieceOf(graph, last.older) != pieceOf(graph, last.newer);
-  const auto enough = static_cast<std::size_t>(joins ? options_.keyframes_to_join : options_.keyframes);
-  if (hypothesis.size() < enough) return false;
-  return std::none_of(hypotheses_.begin(), hypotheses_.end(), [&](const Hypothesis& other) {
-    return &other != &hypothesis && 2 * other.size() >= hypothesis.size();
+  if (!joins(graph, last) || lostBetween_m(graph, last, verification_) <= kLeastDouble_m) return true;
+  const auto isFar = [&](const Loop& a, const Loop& b) {
+    const Eigen::Vector3d way_m =
+        graph.keyframes().at(a.newer).T_map_cam.translation() - graph.keyframes().at(b.newer).T_map_cam.translation();
+    return way_m.norm() > kMostRoom_m;
+  };
+  return std::any_of(hypothesis.begin(), hypothesis.end(), [&](const Loop& a) {
+    return std::any_of(hypothesis.begin(), hypothesis.end(), [&](const Loop& b) { return isFar(a, b); });
   });
+}
+
+bool LoopConfirmation::isStrong(const Loop& loop) const {
+  return loop.inliers >= options_.strong_inliers && loop.spread >= options_.strong_spread &&
+         loop.depth.overlap() >= options_.strong_overlap && loop.depth.contradiction() <= options_.strong_contradiction;
+}
+
+/// A rival with half as many witnesses says that this place looks like another: then only going on tells. Between
+/// pieces no rival is ever too old.
+bool LoopConfirmation::hasRival(const KeyframeGraph& graph, const Hypothesis& hypothesis) const {
+  const auto isRival = [&](const Hypothesis& other) {
+    return &other != &hypothesis && !other.empty() && 2 * other.size() >= hypothesis.size();
+  };
+  const auto isRivalJoin = [&](const Hypothesis& other) {
+    return isRival(other) && areOfSamePieces(graph, other.back(), hypothesis.back()) &&
+           !agree(graph, other.back(), hypothesis.back());
+  };
+  if (std::any_of(hypotheses_.begin(), hypotheses_.end(), isRival)) return true;
+  return joins(graph, hypothesis.back()) && std::any_of(unsettled_.begin(), unsettled_.end(), isRivalJoin);
 }
 
 }  // namespace wardslam::graph

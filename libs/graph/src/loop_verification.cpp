@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "reach.h"
 #include "way_uncertainty.h"
 
 namespace wardslam::graph {
@@ -51,6 +52,38 @@ Overlap largestOverlap(const KeyframeGraph& graph, const std::vector<KeyframeId>
   return largest;
 }
 
+/// Part of the image, of 4 x 4, in which there is one of the matches.
+double spreadOf(const std::vector<Match>& matches, const odometry::Keyframe& keyframe) {
+  constexpr int kParts = 4;
+  std::set<std::pair<int, int>> parts;
+  for (const Match& match : matches) {
+    const cv::Point2f& px = keyframe.features.keypoints[match.keypoint].raw_px;
+    parts.emplace(static_cast<int>(px.x) * kParts / keyframe.camera.width_px,
+                  static_cast<int>(px.y) * kParts / keyframe.camera.height_px);
+  }
+  return static_cast<double>(parts.size()) / (kParts * kParts);
+}
+
+/// By all that both measured; of an earlier run points are known, and no more.
+odometry::DepthAgreement depthAgreement(const KeyframeGraph& graph, const Loop& loop,
+                                        const std::set<PointId>& inSight) {
+  const odometry::Keyframe& older = *graph.keyframes().at(loop.older).keyframe;
+  const odometry::Keyframe& newer = *graph.keyframes().at(loop.newer).keyframe;
+  odometry::DepthAgreement agreement;
+  if (!newer.depth) return agreement;
+  if (older.depth) {
+    agreement += compareDepth(*older.depth, older.camera, *newer.depth, newer.camera, loop.T_older_newer);
+    agreement += compareDepth(*newer.depth, newer.camera, *older.depth, older.camera, loop.T_older_newer.inverse());
+    return agreement;
+  }
+  const Eigen::Isometry3d T_newer_map =
+      loop.T_older_newer.inverse() * graph.keyframes().at(loop.older).T_map_cam.inverse();
+  for (const PointId id : inSight) {
+    agreement.count(lookUp(*newer.depth, newer.camera, T_newer_map * graph.points().at(id).point.p_map_m));
+  }
+  return agreement;
+}
+
 /// What the newer keyframe holds for one point, and the place for another.
 std::vector<std::pair<PointId, PointId>> samePoints(const KeyframeNode& newer, const std::vector<Match>& matches) {
   std::map<std::size_t, PointId> seenAt;
@@ -76,6 +109,12 @@ std::vector<KeyframeId> LoopVerification::placeAround(const KeyframeGraph& graph
 std::optional<Loop> LoopVerification::verify(const KeyframeGraph& graph, KeyframeId newer,
                                              const std::vector<KeyframeId>& place,
                                              const std::vector<Loop>& closed) const {
+  auto loop = look(graph, newer, place);
+  return loop && isPlausible(graph, *loop, closed) ? loop : std::nullopt;
+}
+
+std::optional<Loop> LoopVerification::look(const KeyframeGraph& graph, KeyframeId newer,
+                                           const std::vector<KeyframeId>& place) const {
   const KeyframeNode& node = graph.keyframes().at(newer);
   const odometry::Keyframe& keyframe = *node.keyframe;
   const auto points = pointsOf(graph, place);
@@ -111,14 +150,16 @@ std::optional<Loop> LoopVerification::verify(const KeyframeGraph& graph, Keyfram
   const Eigen::Isometry3d T_older_map = graph.keyframes().at(overlap.keyframe).T_map_cam.inverse();
   Loop loop{overlap.keyframe,          newer, T_older_map * pose.T_cam_map.inverse(), pose.inliers,
             samePoints(node, inliers), place};
-  return isPlausible(graph, loop, closed) ? std::optional(loop) : std::nullopt;
+  loop.spread = spreadOf(inliers, keyframe);
+  loop.depth = depthAgreement(graph, loop, inSight);
+  return loop.depth.contradiction() <= options_.max_contradiction ? std::optional(std::move(loop)) : std::nullopt;
 }
 
 bool LoopVerification::isPlausible(const KeyframeGraph& graph, const Loop& loop,
                                    const std::vector<Loop>& closed) const {
   const KeyframeNode& older = graph.keyframes().at(loop.older);
   const KeyframeNode& newer = graph.keyframes().at(loop.newer);
-  if (older.submap != newer.submap) return true;  // nothing is known of how far apart they are
+  if (older.submap != newer.submap) return isWithinReach(graph, loop, options_);
   const Eigen::Isometry3d T_map_newer = older.T_map_cam * loop.T_older_newer;
   const auto uncertainty = uncertaintyOfWay(graph, closed, loop.older, loop.newer, options_);
   const Eigen::Isometry3d correction = T_map_newer * newer.T_map_cam.inverse();

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <set>
 
 #include "bundle_adjustment.h"
+#include "lookalikes.h"
 #include "loop_confirmation.h"
+#include "loop_fit.h"
+#include "overlap.h"
 #include "pose_graph.h"
 #include "redundancy.h"
 #include "wardslam/core/mrpt_compat.h"
@@ -47,33 +51,14 @@ void tellNewest(const KeyframeGraph& graph, KeyframeId newest, odometry::MapUpda
   update.T_map_cam[newest] = node.T_map_cam;
 }
 
-/// Of all keyframes of one piece that see the same as the one before, how one stands to the other.
-std::map<KeyframeId, Eigen::Isometry3d> tiedSteps(const KeyframeGraph& graph, std::uint32_t piece,
-                                                  int minSharedPoints) {
-  std::map<KeyframeId, Eigen::Isometry3d> steps;
-  for (const auto& [id, node] : graph.keyframes()) {
-    const auto previous = graph.keyframes().find(id - 1);
-    if (node.submap != piece || previous == graph.keyframes().end() || previous->second.submap != piece) continue;
-    const auto isShared = [&](const auto& sighting) { return previous->second.keypointOf.count(sighting.first) != 0; };
-    const auto shared = std::count_if(node.keypointOf.begin(), node.keypointOf.end(), isShared);
-    if (shared >= minSharedPoints) steps.emplace(id, previous->second.T_map_cam.inverse() * node.T_map_cam);
-  }
-  return steps;
-}
-
-bool isNear(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const LoopConfirmationOptions& options) {
-  const Eigen::Isometry3d difference = a.inverse() * b;
-  return difference.translation().norm() < options.max_misfit_m &&
-         Eigen::AngleAxisd(difference.linear()).angle() < options.max_misfit_rad;
-}
-
 }  // namespace
 
 Mapper::Mapper(const GraphOptions& options, const odometry::OdometryOptions& odometry)
     : options_(options),
       places_(options.place_recognition),
       verification_(options.loop_verification, odometry.matcher, odometry.pose_solver),
-      confirmation_(std::make_unique<LoopConfirmation>(options.loop_confirmation)) {}
+      confirmation_(std::make_unique<LoopConfirmation>(options.loop_confirmation, options.loop_verification)),
+      lookalikes_(std::make_unique<Lookalikes>()) {}
 
 Mapper::~Mapper() = default;
 
@@ -105,7 +90,9 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
   if (options_.close_loops) {
     rememberPlaces(keyframe->id);
     const auto loops = confirmation_->confirm(graph_, keyframe->id, recognise(keyframe->id));
-    if (!loops.empty()) close(loops, stop, update);
+    const bool areMistakable = std::any_of(
+        loops.begin(), loops.end(), [this](const Loop& loop) { return lookalikes_->areMistakable(graph_, loop); });
+    if (!loops.empty() && !areMistakable) close(loops, stop, update);
   }
   recallAround(keyframe->id, update);
   tellNewest(graph_, keyframe->id, update);
@@ -160,6 +147,7 @@ void Mapper::remove(KeyframeId id, odometry::MapUpdate& update) {
   young_.erase(std::remove(young_.begin(), young_.end(), id), young_.end());
   for (Loop& loop : loops_) rehang(loop, removed);
   confirmation_->apply(removed);
+  lookalikes_->apply(removed);
   const auto tiesNothing = [](const Loop& loop) { return loop.older == loop.newer; };
   loops_.erase(std::remove_if(loops_.begin(), loops_.end(), tiesNothing), loops_.end());
 }
@@ -202,10 +190,13 @@ void Mapper::rememberPlace(KeyframeId id) {
   places_.add(id, descriptors);
 }
 
-std::vector<Loop> Mapper::recognise(KeyframeId newest) const {
+std::vector<Loop> Mapper::recognise(KeyframeId newest) {
   std::set<KeyframeId> known{newest};
   for (const auto& [id, shared] : graph_.covisible(newest)) known.insert(id);
   std::vector<KeyframeId> candidates = confirmation_->expected(graph_, newest);
+  const std::size_t mostPlaces =
+      candidates.size() + static_cast<std::size_t>(options_.place_recognition.max_candidates);
+  std::size_t places = 0;
   const auto& features = graph_.keyframes().at(newest).keyframe->features;
   for (const KeyframeId alike : places_.candidates(features, known)) candidates.push_back(alike);
   std::vector<Loop> seen;
@@ -216,32 +207,48 @@ std::vector<Loop> Mapper::recognise(KeyframeId newest) const {
         std::any_of(place.begin(), place.end(), [&](KeyframeId id) { return known.count(id) != 0; });
     known.insert(place.begin(), place.end());
     if (isTiedAlready) continue;
-    if (auto loop = verification_.verify(graph_, newest, place, loops_)) seen.push_back(std::move(*loop));
+    if (++places > mostPlaces) break;
+    auto loop = verification_.look(graph_, newest, place);
+    if (loop && isBelievable(*loop)) seen.push_back(std::move(*loop));
   }
   return seen;
 }
 
+/// What looks the same and cannot be is worth knowing.
+bool Mapper::isBelievable(const Loop& loop) {
+  if (verification_.isPlausible(graph_, loop, loops_)) return !lookalikes_->areMistakable(graph_, loop);
+  const bool isOfOnePiece = graph_.keyframes().at(loop.older).submap == graph_.keyframes().at(loop.newer).submap;
+  lookalikes_->add(loop, verification_.placeAround(graph_, loop.newer),
+                   isOfOnePiece ? correction_m(graph_, loop) : std::numeric_limits<double>::infinity());
+  return false;
+}
+
 /// Whatever does not fit in the end is taken back whole, before anybody hears of it.
-void Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
-  const KeyframeGraph graphBefore = graph_;
+bool Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
+  if (!agreesInDepth(loops.front())) {
+    ++loopsTakenBack_;
+    return false;
+  }
+  graph_.beginTrial();
   const odometry::Pieces piecesBefore = pieces_;
   const std::size_t loopsBefore = loops_.size();
   loops_.insert(loops_.end(), loops.begin(), loops.end());
   odometry::MapUpdate closing;
   closing.joined = joinSubmaps(loops.front());
   const std::uint32_t piece = graph_.keyframes().at(loops.front().newer).submap;
-  const auto steps = tiedSteps(graph_, piece, options_.pose_graph.min_shared_points);
+  const Steps steps = tiedSteps(graph_, piece, options_.pose_graph.min_shared_points);
   optimisePoses(piece);
   for (const Loop& loop : loops) fuse(loop, closing);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
   const auto adjusted = adjust(graph_, globalWindow(graph_, piece), adjustment, adjustment.global_iterations, stop);
-  if (!fits(steps)) {
-    graph_ = graphBefore;
+  if (!fit(graph_, steps, loops_, options_.loop_confirmation)) {
+    graph_.takeBack();
     pieces_ = piecesBefore;
     loops_.resize(loopsBefore);
     ++loopsTakenBack_;
-    return;
+    return false;
   }
+  graph_.endTrial();
   ++loopsClosed_;
   if (closing.joined) ++submapsJoined_;
   update.movesTheMap = true;
@@ -255,24 +262,32 @@ void Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop
       if (graph_.keyframes().count(id) != 0) recall(id, update);
     }
   }
+  return true;
 }
 
-/// A loop that is wrong stands against others, or against what keyframes see in common: it must bend one of them.
-bool Mapper::fits(const std::map<KeyframeId, Eigen::Isometry3d>& stepsBefore) const {
-  const auto& keyframes = graph_.keyframes();
-  const auto step = [&](KeyframeId from, KeyframeId to) -> Eigen::Isometry3d {
-    return keyframes.at(from).T_map_cam.inverse() * keyframes.at(to).T_map_cam;
+/// All that two pieces saw of each other's surfaces, and not only where they were found to meet, must be there.
+bool Mapper::agreesInDepth(const Loop& join) const {
+  const KeyframeNode& older = graph_.keyframes().at(join.older);
+  const KeyframeNode& newer = graph_.keyframes().at(join.newer);
+  if (older.submap == newer.submap) return true;
+  const Eigen::Isometry3d T_older_newer = older.T_map_cam * join.T_older_newer * newer.T_map_cam.inverse();
+  const auto agreement = depthAcross(graph_, newer.submap, older.submap, T_older_newer);
+  return agreement.contradiction() <= options_.loop_verification.max_contradiction;
+}
+
+std::optional<odometry::MapUpdate> Mapper::settle() {
+  if (graph_.keyframes().empty() || !options_.close_loops) return std::nullopt;
+  const auto isRefused = [this](const Loop& loop) {
+    return lookalikes_->areMistakable(graph_, loop) || !verification_.isPlausible(graph_, loop, loops_);
   };
-  const LoopConfirmationOptions& options = options_.loop_confirmation;
-  const auto isBent = [&](const auto& before) {
-    return !isNear(before.second, step(before.first - 1, before.first), options);
-  };
-  const auto isMissed = [&](const Loop& loop) {
-    const bool isOfOnePiece = keyframes.at(loop.older).submap == keyframes.at(loop.newer).submap;
-    return isOfOnePiece && !isNear(loop.T_older_newer, step(loop.older, loop.newer), options);
-  };
-  return std::none_of(stepsBefore.begin(), stepsBefore.end(), isBent) &&
-         std::none_of(loops_.begin(), loops_.end(), isMissed);
+  for (auto loops = confirmation_->settle(graph_, isRefused); !loops.empty();
+       loops = confirmation_->settle(graph_, isRefused)) {
+    odometry::MapUpdate update;
+    if (!close(loops, nullptr, update)) continue;
+    tellNewest(graph_, graph_.keyframes().rbegin()->first, update);
+    return update;
+  }
+  return std::nullopt;
 }
 
 /// The map of an earlier run keeps its frame, else the piece begun first does.

@@ -11,6 +11,7 @@ namespace {
 constexpr int kTables = 8;
 constexpr int kKeyBits = 14;
 constexpr int kProbes = 1;
+constexpr std::size_t kKeyframesOfAPlace = 6;
 constexpr int kNeighbours = 3;
 
 }  // namespace
@@ -92,7 +93,7 @@ std::vector<odometry::KeyframeId> PlaceRecognition::candidates(const core::Featu
     if (count >= options_.min_votes) ranking.emplace_back(count, keyframe);
   }
   std::sort(ranking.rbegin(), ranking.rend());
-  ranking.resize(std::min(ranking.size(), static_cast<std::size_t>(options_.max_candidates)));
+  ranking.resize(std::min(ranking.size(), kKeyframesOfAPlace * static_cast<std::size_t>(options_.max_candidates)));
   std::vector<odometry::KeyframeId> likely;
   for (const auto& [count, keyframe] : ranking) likely.push_back(keyframe);
   return likely;

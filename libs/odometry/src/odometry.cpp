@@ -43,8 +43,9 @@ class Odometry::Tracker {
     if (!hasStarted_) T_cam_map_ = T_map_cam.inverse();
   }
 
-  OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features) {
-    const TrackedImage view{stamp_s, camera, features, KeypointGrid(features.keypoints, camera), frame_++};
+  OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features,
+                       const DepthImage& depth) {
+    const TrackedImage view{stamp_s, camera, features, depth, KeypointGrid(features.keypoints, camera), frame_++};
     if (state_ == State::Initialising) return initialise(view);
     const Tracking tracking = find(view);
     return poseTracker_.isGood(tracking) ? accept(view, tracking) : lose(view, tracking);
@@ -71,6 +72,7 @@ class Odometry::Tracker {
   [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
                                                               const core::Keypoint& keypoint) const;
   [[nodiscard]] Tracking find(const TrackedImage& view) const;
+  [[nodiscard]] bool isWithinReach(const TrackedImage& view, const Tracking& tracking) const;
   OdometryResult accept(const TrackedImage& view, const Tracking& tracking);
   OdometryResult lose(const TrackedImage& view, const Tracking& tracking);
   void beginSubmap();
@@ -89,6 +91,7 @@ class Odometry::Tracker {
   State state_ = State::Initialising;
   bool hasStarted_ = false;
   std::uint64_t frame_ = 0;
+  double lastTracked_s_ = 0.0;
   Eigen::Isometry3d T_cam_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_cam_previous_ = Eigen::Isometry3d::Identity();  ///< Motion of the last frame.
   std::vector<PointId> lastSeen_;                                     ///< Points found in the last tracked frame.
@@ -110,6 +113,7 @@ OdometryResult Odometry::Tracker::initialise(const TrackedImage& view) {
   if (static_cast<int>(newPoints.size()) < options_.min_initial_points) return {};
   state_ = State::Ok;
   hasStarted_ = true;
+  lastTracked_s_ = view.stamp_s;
   T_cam_previous_ = Eigen::Isometry3d::Identity();
   return result({}, insertKeyframe(view, {}, newPoints));
 }
@@ -119,14 +123,24 @@ Tracking Odometry::Tracker::find(const TrackedImage& view) const {
     const Tracking tracking = poseTracker_.trackByMotion(view, map_, lastSeen_, T_cam_previous_ * T_cam_map_);
     if (poseTracker_.isGood(tracking)) return poseTracker_.trackNeighbourhood(view, map_, tracking);
   }
-  const Tracking tracking = poseTracker_.relocalise(view, map_);
-  return poseTracker_.isGood(tracking) ? poseTracker_.trackNeighbourhood(view, map_, tracking) : tracking;
+  Tracking tracking = poseTracker_.relocalise(view, map_);
+  if (!isWithinReach(view, tracking)) tracking.inliers.clear();
+  return tracking;
+}
+
+/// Who was carried farther begins a piece of its own, and the map asks for more before it believes that.
+bool Odometry::Tracker::isWithinReach(const TrackedImage& view, const Tracking& tracking) const {
+  const RelocalisationOptions& options = options_.relocalisation;
+  const double way_m = (tracking.T_cam_map.inverse().translation() - T_cam_map_.inverse().translation()).norm();
+  const double since_s = std::max(0.0, view.stamp_s - lastTracked_s_);
+  return way_m <= options.margin_m + options.max_speed_mps * since_s;
 }
 
 OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Tracking& tracking) {
   const bool wasOk = state_ == State::Ok;
   T_cam_previous_ = wasOk ? tracking.T_cam_map * T_cam_map_.inverse() : Eigen::Isometry3d::Identity();
   T_cam_map_ = tracking.T_cam_map;
+  lastTracked_s_ = view.stamp_s;
   state_ = State::Ok;
   framesLost_ = 0;
   updateMap(view, tracking);
@@ -213,6 +227,7 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedI
   if (!isFirst) keyframe->T_previous_cam = lastKeyframe_.T_map_cam.inverse() * T_map_cam;
   keyframe->features = view.features;
   keyframe->features.semanticDescriptors.reset();  // it may hold on to whole images
+  if (!view.depth.depth_m.empty()) keyframe->depth = std::make_shared<DepthView>(makeDepthView(view.depth));
   pieces_.add(keyframe->id, submap_);
   map_.addKeyframe(keyframe->id, lastSeen_);
   map_.cull();
@@ -272,8 +287,9 @@ bool Odometry::hasStarted() const { return tracker_->hasStarted(); }
 
 void Odometry::startFrom(const Eigen::Isometry3d& T_map_cam) { tracker_->startFrom(T_map_cam); }
 
-OdometryResult Odometry::track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures) {
-  return tracker_->track(stamp_s, camera, staticFeatures);
+OdometryResult Odometry::track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures,
+                               const DepthImage& depth) {
+  return tracker_->track(stamp_s, camera, staticFeatures, depth);
 }
 
 Eigen::Isometry3d Odometry::apply(const MapUpdate& update) { return tracker_->apply(update); }

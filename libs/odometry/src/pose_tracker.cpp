@@ -3,6 +3,18 @@
 #include <algorithm>
 
 namespace wardslam::odometry {
+namespace {
+
+constexpr double kElsewhere_m = 0.5;
+constexpr double kElsewhere_rad = 0.3;
+
+/// Nothing it could rest on: for who counts matches.
+Tracking refused(Tracking tracking) {
+  tracking.inliers.clear();
+  return tracking;
+}
+
+}  // namespace
 
 Tracking PoseTracker::trackByMotion(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
                                     const Eigen::Isometry3d& T_cam_map_predicted) const {
@@ -25,7 +37,40 @@ Tracking PoseTracker::relocalise(const TrackedImage& view, const LocalMap& map) 
   for (const auto& [id, point] : map.points()) points.push_back({id, &point.descriptor});
   const auto matches = alike(view, map, matcher_.searchEverywhere(points, view.features));
   const PoseEstimate pose = solver_.solve(observe(view, map, matches), view.camera);
-  return estimate(view, map, matches, pose.T_cam_map);
+  const Tracking byLooks = estimate(view, map, matches, pose.T_cam_map);
+  if (!isGood(byLooks) || hasRival(view, map, matches, byLooks)) return refused(byLooks);
+  Tracking found = trackNeighbourhood(view, map, byLooks);
+  return isGood(found) && isBorneOut(view, map, found) ? found : refused(found);
+}
+
+/// Whether what does not fit this pose fits another one nearly as well.
+bool PoseTracker::hasRival(const TrackedImage& view, const LocalMap& map, const std::vector<Match>& matches,
+                           const Tracking& found) const {
+  std::vector<bool> isInlier(view.features.size(), false);
+  for (const Match& match : found.inliers) isInlier[match.keypoint] = true;
+  std::vector<Match> others;
+  for (const Match& match : matches) {
+    if (!isInlier[match.keypoint]) others.push_back(match);
+  }
+  const PoseEstimate rival = solver_.solve(observe(view, map, others), view.camera);
+  const auto enough = options_.relocalisation.max_rival * static_cast<double>(found.inliers.size());
+  if (rival.inliers < options_.min_inliers || rival.inliers < enough) return false;
+  const Eigen::Isometry3d T = rival.T_cam_map * found.T_cam_map.inverse();
+  return T.translation().norm() > kElsewhere_m || Eigen::AngleAxisd(T.linear()).angle() > kElsewhere_rad;
+}
+
+bool PoseTracker::isBorneOut(const TrackedImage& view, const LocalMap& map, const Tracking& found) const {
+  const RelocalisationOptions& options = options_.relocalisation;
+  if (static_cast<double>(found.inliers.size()) <
+      options.min_found_fraction * static_cast<double>(found.visible.size())) {
+    return false;
+  }
+  const DepthView depth = makeDepthView(view.depth);
+  DepthAgreement agreement;
+  for (const PointId id : found.visible) {
+    agreement.count(lookUp(depth, view.camera, found.T_cam_map * map.find(id)->p_map_m));
+  }
+  return agreement.contradiction() <= options.max_contradiction;
 }
 
 Tracking PoseTracker::search(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& points,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "local_map.h"
+#include "wardslam/odometry/depth_view.h"
 #include "wardslam/odometry/keypoint_grid.h"
 #include "wardslam/odometry/matcher.h"
 #include "wardslam/odometry/odometry_options.h"
@@ -16,6 +17,7 @@ struct TrackedImage {
   double stamp_s;
   const core::CameraModel& camera;
   const core::Features& features;
+  const DepthImage& depth;
   KeypointGrid grid;
   std::uint64_t frame;
 };
@@ -46,12 +48,16 @@ class PoseTracker {
   /// From a pose that is nearly right: looks for all points of the neighbourhood.
   [[nodiscard]] Tracking trackNeighbourhood(const TrackedImage& view, const LocalMap& map, const Tracking& rough) const;
 
-  /// From nothing, by looks alone.
+  /// From nothing: by looks, which most of what should be in sight, its depth and the lack of another place like it must
+  /// bear out, for one place of a hospital looks like another. Else without inliers.
   [[nodiscard]] Tracking relocalise(const TrackedImage& view, const LocalMap& map) const;
 
  private:
   [[nodiscard]] Tracking search(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& points,
                                 const Eigen::Isometry3d& T_cam_map, double radius_px) const;
+  [[nodiscard]] bool hasRival(const TrackedImage& view, const LocalMap& map, const std::vector<Match>& matches,
+                              const Tracking& found) const;
+  [[nodiscard]] bool isBorneOut(const TrackedImage& view, const LocalMap& map, const Tracking& found) const;
   /// The matches whose surroundings are alike too (P6), as far as both are known.
   [[nodiscard]] std::vector<Match> alike(const TrackedImage& view, const LocalMap& map,
                                          std::vector<Match> matches) const;

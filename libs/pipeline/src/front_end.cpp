@@ -49,7 +49,8 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
   if (annotates_) profiler_.time("filters.annotate", [&] { filters::annotateObservation(frame); });
   if (!odometry_.hasStarted()) odometry_.startFrom(startPose(mapFrame_, frame));
   auto odometry = profiler_.time("odometry.track", [&] {
-    return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features));
+    return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features),
+                           {frame.depth_m, frame.mayMove});
   });
   const auto T_map_cam = odometry.pose();
   filters_.end(frame, T_map_cam ? std::optional(T_odom_map_ * *T_map_cam) : std::nullopt);

@@ -163,6 +163,7 @@ void SlamSystem::finishGraph() {
   failure.attempt([this] { mapper_ = graphBuilding_.finish(); });
   if (!mapper_) mapper_ = graphBuilding_.giveUp();
   failure.rethrow();
+  while (auto joined = mapper_->settle()) mapUpdates_.put(std::move(*joined));
   mapUpdates_.put(mapper_->adjustAll());
 }
 

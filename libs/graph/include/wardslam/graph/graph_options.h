@@ -52,6 +52,9 @@ struct LoopVerificationOptions {
   double position_drift = 0.02;
   double rotation_drift_rad = 0.002;
   double gate_sigmas = 3.5;
+  double max_contradiction = 0.2;
+  double max_speed_mps = 1.5;
+  double lost_margin_m = 1.0;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -69,29 +72,44 @@ struct LoopVerificationOptions {
     visit("rotation_drift_rad", self.rotation_drift_rad, {0.0, 1.0}, "rad", "likewise, about each axis");
     visit("gate_sigmas", self.gate_sigmas, {1.0, 100.0}, "",
           "standard deviations of drift; a loop that asks for more correction is taken for a look-alike");
+    visit("max_contradiction", self.max_contradiction, {0.0, 1.0}, "",
+          "share of the surfaces of one look whose place the other sees empty; more is another place");
+    visit("max_speed_mps", self.max_speed_mps, {0.01, 100.0}, "m/s",
+          "that the camera can have gone with where tracking was lost: joins ask for no more");
+    visit("lost_margin_m", self.lost_margin_m, {0.0, 100.0}, "m", "besides, each time");
   }
 };
 
 struct LoopConfirmationOptions {
   int keyframes = 2;
-  int keyframes_to_join = 1;
+  int keyframes_to_join = 3;
   int max_gap = 4;
   double max_disagreement_m = 0.15;
   double max_disagreement_rad = 0.05;
   double max_misfit_m = 0.15;
   double max_misfit_rad = 0.05;
+  int strong_inliers = 80;
+  double strong_spread = 0.5;
+  double strong_overlap = 0.5;
+  double strong_contradiction = 0.05;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("keyframes", self.keyframes, {1, 1000}, "count", "that must see the same place again, for a loop");
     visit("keyframes_to_join", self.keyframes_to_join, {1, 1000}, "count",
-          "likewise, for two pieces of the map to become one: nothing else says where they lie");
+          "likewise, for two pieces of the map to become one, as nothing else says where they lie; a strong look is "
+          "enough, "
+          "and when a run ends, the best there was");
     visit("max_gap", self.max_gap, {1, 1000}, "count", "keyframes from one that sees it to the next");
     visit("max_disagreement_m", self.max_disagreement_m, {0.001, 10.0}, "m", "between what two of them say");
     visit("max_disagreement_rad", self.max_disagreement_rad, {0.001, 3.2}, "rad", "likewise");
     visit("max_misfit_m", self.max_misfit_m, {0.001, 10.0}, "m",
           "of a loop, or of keyframes that see the same, after everything was adjusted; else the loop is taken back");
     visit("max_misfit_rad", self.max_misfit_rad, {0.001, 3.2}, "rad", "likewise");
+    visit("strong_inliers", self.strong_inliers, {1, 10000}, "count", "points of the place found in a strong look,");
+    visit("strong_spread", self.strong_spread, {0.0, 1.0}, "", "in so much of the image (of 4 x 4 parts),");
+    visit("strong_overlap", self.strong_overlap, {0.0, 1.0}, "", "with so much of the depth borne out");
+    visit("strong_contradiction", self.strong_contradiction, {0.0, 1.0}, "", "and so little of it contradicted");
   }
 };
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@ struct KeyframeNode {
   std::map<PointId, std::size_t> keypointOf;  ///< Points it sees, and the key point of each.
   std::uint32_t submap = 0;                   ///< Keyframes of one submap share a map frame.
   bool isHeld = false;                        ///< Stays as it is, see KeyframeGraph::hold().
+  bool isRestored = false;                    ///< Of an earlier run.
 };
 
 /// A map point and the keyframes that see it.
@@ -51,7 +53,7 @@ class KeyframeGraph {
   /// Keyframes that share points with this one and how many, most first.
   [[nodiscard]] std::vector<std::pair<KeyframeId, std::size_t>> covisible(KeyframeId id) const;
 
-  void setPose(KeyframeId id, const Eigen::Isometry3d& T_map_cam) { keyframes_.at(id).T_map_cam = T_map_cam; }
+  void setPose(KeyframeId id, const Eigen::Isometry3d& T_map_cam);
   void setPosition(PointId id, const Eigen::Vector3d& p_map_m);
   void removeSighting(KeyframeId keyframe, PointId point);  ///< And the point, when nobody else sees it.
 
@@ -64,7 +66,26 @@ class KeyframeGraph {
   /// All keyframes of one submap now belong to the other; poses are not touched.
   void joinSubmaps(std::uint32_t from, std::uint32_t into);
 
+  /// What follows is a trial: poses, positions, sightings removed, points fused and submaps joined can be taken back
+  /// whole. Costs what is changed, not what is there. No keyframe comes or goes meanwhile.
+  void beginTrial();
+  void endTrial() { trial_.reset(); }  ///< What was changed stays.
+  void takeBack();                     ///< All is as it was when the trial began.
+
  private:
+  /// What was, of what changed since the trial began.
+  struct Trial {
+    std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
+    std::map<KeyframeId, std::uint32_t> submap;
+    std::map<KeyframeId, std::map<PointId, std::size_t>> keypointOf;
+    std::map<PointId, std::pair<Eigen::Vector3d, Eigen::Vector3d>> p_viewedFrom_map_m;
+    std::map<PointId, PointNode> points;
+    std::vector<PointId> fused;
+    std::map<std::uint32_t, std::uint32_t> joinedInto;
+  };
+
+  void keepSightings(KeyframeId id);
+  void keep(PointId id);
   void insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe, const Eigen::Isometry3d& T_map_cam);
   [[nodiscard]] std::uint32_t currentSubmapOf(const odometry::Keyframe& keyframe) const;
   [[nodiscard]] PointId currentIdOf(PointId id) const;
@@ -73,6 +94,7 @@ class KeyframeGraph {
   std::map<PointId, PointNode> points_;
   std::map<PointId, PointId> fusedInto_;
   std::map<std::uint32_t, std::uint32_t> joinedInto_;
+  std::optional<Trial> trial_;
 };
 
 }  // namespace wardslam::graph

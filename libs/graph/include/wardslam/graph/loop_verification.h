@@ -7,6 +7,7 @@
 
 #include "wardslam/graph/graph_options.h"
 #include "wardslam/graph/keyframe_graph.h"
+#include "wardslam/odometry/depth_view.h"
 #include "wardslam/odometry/matcher.h"
 #include "wardslam/odometry/pose_solver.h"
 
@@ -20,6 +21,8 @@ struct Loop {
   int inliers = 0;
   std::vector<std::pair<PointId, PointId>> samePoints;  ///< Seen by the newer; what it is at the older place.
   std::vector<KeyframeId> place;                        ///< Keyframes around, the older among them.
+  double spread = 0.0;                  ///< Part of the newer one's image (of 4 x 4) in which it shows the place.
+  odometry::DepthAgreement depth = {};  ///< What each says of the surfaces the other saw.
 };
 
 /// Decides whether a keyframe that looks like an old place is there: points of the place must be found where one pose
@@ -39,9 +42,14 @@ class LoopVerification {
                                            const std::vector<KeyframeId>& place,
                                            const std::vector<Loop>& closed = {}) const;
 
- private:
+  /// By looks and depth alone, however far apart the two are said to be.
+  [[nodiscard]] std::optional<Loop> look(const KeyframeGraph& graph, KeyframeId newer,
+                                         const std::vector<KeyframeId>& place) const;
+
+  /// Whether the camera can be where the loop says it is: by drift since, and between pieces by time.
   [[nodiscard]] bool isPlausible(const KeyframeGraph& graph, const Loop& loop, const std::vector<Loop>& closed) const;
 
+ private:
   LoopVerificationOptions options_;
   odometry::Matcher matcher_;
   odometry::PoseSolver solver_;

@@ -21,6 +21,7 @@
 namespace wardslam::graph {
 
 class LoopConfirmation;
+class Lookalikes;
 
 /// What is done with the keyframes of an earlier run.
 enum class Saved {
@@ -57,6 +58,10 @@ class Mapper {
   [[nodiscard]] std::size_t submapsJoined() const { return submapsJoined_; }
   [[nodiscard]] const odometry::Pieces& pieces() const { return pieces_; }
 
+  /// After the last keyframe: joins two pieces by the best that was seen, though it was less than is asked for while
+  /// more may come. Again until there is nothing.
+  std::optional<odometry::MapUpdate> settle();
+
   /// Adjusts the whole map once more: after the last keyframe. Returns where everything is now, as of that keyframe.
   odometry::MapUpdate adjustAll();
 
@@ -66,9 +71,10 @@ class Mapper {
   void remove(KeyframeId id, odometry::MapUpdate& update);
   void rememberPlaces(KeyframeId newest);
   void rememberPlace(KeyframeId id);
-  [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest) const;
-  void close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update);
-  [[nodiscard]] bool fits(const std::map<KeyframeId, Eigen::Isometry3d>& stepsBefore) const;
+  [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest);
+  [[nodiscard]] bool isBelievable(const Loop& loop);
+  bool close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update);
+  [[nodiscard]] bool agreesInDepth(const Loop& join) const;
   [[nodiscard]] odometry::SubmapJoin directionOf(std::uint32_t piece, std::uint32_t other) const;
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
   void optimisePoses(std::uint32_t submap);
@@ -87,6 +93,7 @@ class Mapper {
   PlaceRecognition places_;
   LoopVerification verification_;
   std::unique_ptr<LoopConfirmation> confirmation_;
+  std::unique_ptr<Lookalikes> lookalikes_;
   std::vector<Loop> loops_;
   std::size_t loopsClosed_ = 0;
   std::size_t loopsTakenBack_ = 0;

@@ -25,7 +25,8 @@ class PlaceRecognition {
   /// It is not found any more.
   void remove(odometry::KeyframeId keyframe);
 
-  /// Keyframes, none of `excluded`, that share most looks with these features, likeliest first.
+  /// Keyframes, none of `excluded`, that share most looks with these features, likeliest first: enough for
+  /// max_candidates places, of each of which several may be among them.
   [[nodiscard]] std::vector<odometry::KeyframeId> candidates(const core::Features& features,
                                                              const std::set<odometry::KeyframeId>& excluded) const;
 

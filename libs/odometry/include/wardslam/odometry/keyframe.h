@@ -2,10 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/keypoint.h"
+#include "wardslam/odometry/depth_view.h"
 
 namespace wardslam::odometry {
 
@@ -29,6 +31,7 @@ struct Keyframe {
   Eigen::Isometry3d T_previous_cam = Eigen::Isometry3d::Identity();
   core::Features features;  ///< Static ones only.
   std::vector<Sighting> sightings;
+  std::shared_ptr<const DepthView> depth = nullptr;  ///< Null: not known any more, as of an earlier run.
 };
 
 }  // namespace wardslam::odometry

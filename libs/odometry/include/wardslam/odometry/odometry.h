@@ -8,6 +8,7 @@
 
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/keypoint.h"
+#include "wardslam/odometry/depth_view.h"
 #include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/map_update.h"
 #include "wardslam/odometry/odometry_options.h"
@@ -65,8 +66,10 @@ class Odometry {
   /// Where the camera is in the map frame when tracking starts: the identity unless told. Without effect later.
   void startFrom(const Eigen::Isometry3d& T_map_cam);
 
-  /// Finds the camera's pose from the static features of the next image.
-  OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures);
+  /// Finds the camera's pose from the static features of the next image. Its depth tells places that look the same
+  /// apart, and goes along with keyframes.
+  OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures,
+                       const DepthImage& depth = {});
 
   /// Takes over better positions of points and keyframes. After a loop, what the mapper did not know yet, the camera
   /// above all, moves as the newest keyframe does that it knew; an update of a submap that tracking has left changes

@@ -67,6 +67,26 @@ struct KeyframeOptions {
   }
 };
 
+struct RelocalisationOptions {
+  double min_found_fraction = 0.15;
+  double max_contradiction = 0.25;
+  double max_rival = 0.5;
+  double max_speed_mps = 2.0;
+  double margin_m = 0.5;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("min_found_fraction", self.min_found_fraction, {0.0, 1.0}, "",
+          "of the points that should be in sight; a thing that looks like another shows less");
+    visit("max_contradiction", self.max_contradiction, {0.0, 1.0}, "",
+          "share of the points that should be in sight whose place is seen to be empty");
+    visit("max_rival", self.max_rival, {0.0, 1.0}, "",
+          "of the points found, what may say that the camera is somewhere else");
+    visit("max_speed_mps", self.max_speed_mps, {0.01, 100.0}, "m/s", "that the camera can have gone with since");
+    visit("margin_m", self.margin_m, {0.0, 100.0}, "m", "besides: tracking had drifted when it was lost");
+  }
+};
+
 /// YAML section `odometry:`.
 struct OdometryOptions {
   int min_initial_points = 80;
@@ -76,6 +96,7 @@ struct OdometryOptions {
   PoseSolverOptions pose_solver;
   LocalMapOptions local_map;
   KeyframeOptions keyframes;
+  RelocalisationOptions relocalisation;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -87,6 +108,7 @@ struct OdometryOptions {
     visit.group("pose_solver", self.pose_solver);
     visit.group("local_map", self.local_map);
     visit.group("keyframes", self.keyframes);
+    visit.group("relocalisation", self.relocalisation);
   }
 };
 
