@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "wardslam/core/camera_model.h"
+#include "wardslam/core/ground_plane.h"
 #include "wardslam/core/keypoint.h"
 
 namespace wardslam::odometry {
@@ -29,6 +31,7 @@ struct Keyframe {
   Eigen::Isometry3d T_previous_cam = Eigen::Isometry3d::Identity();
   core::Features features;  ///< Static ones only.
   std::vector<Sighting> sightings;
+  std::optional<core::GroundPlane> ground;  ///< That its image shows, where somebody looked and there is one.
 };
 
 }  // namespace wardslam::odometry
