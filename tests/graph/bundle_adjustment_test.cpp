@@ -110,6 +110,55 @@ TEST_F(AdjustTest, APointSeenOnceStays) {
   EXPECT_TRUE(graph_.points().at(id).point.p_map_m.isApprox(moved_m_.at(id)));
 }
 
+/// Keyframes at one place that see points in one line: nothing holds them from turning about it, but their floor.
+class HingeTest : public ::testing::Test {
+ protected:
+  static constexpr KeyframeId kNewest = 5;
+
+  HingeTest() {
+    for (KeyframeId id = 1; id <= kNewest; ++id) {
+      auto keyframe = handMadeKeyframe(id, {1, 2, 3, 4, 5, 6, 7, 8});
+      keyframe->camera.fx_px = keyframe->camera.fy_px = 300.0;
+      keyframe->camera.cx_px = 120.0;
+      keyframe->camera.cy_px = 100.0;  // the line's row
+      keyframe->ground = core::GroundPlane{-Eigen::Vector3d::UnitY(), 1.1, Eigen::Matrix3d::Zero()};
+      graph_.insert(keyframe);
+      graph_.setFloor(id, 1);
+    }
+    graph_.setPose(kNewest, turned());
+  }
+
+  /// By a degree about the line.
+  [[nodiscard]] static Eigen::Isometry3d turned() {
+    return makePose({0, 0, 2}) * makePose({0, 0, 0}, {kDegree, 0, 0}) * makePose({0, 0, -2});
+  }
+
+  [[nodiscard]] double tilt_rad(AdjustmentWindow window) {
+    for (PointId id = 1; id <= 8; ++id) window.points.insert(id);
+    adjust(graph_, window, {}, 50);
+    return test::angle_rad(graph_.keyframes().at(kNewest).T_map_cam, Eigen::Isometry3d::Identity());
+  }
+
+  static constexpr double kDegree = M_PI / 180.0;
+  KeyframeGraph graph_;
+};
+
+TEST_F(HingeTest, TheFloorHoldsWhatPointsDoNot) { EXPECT_LT(tilt_rad({{kNewest}, {1, 2, 3, 4}, {}}), 0.03 * kDegree); }
+
+TEST_F(HingeTest, SoDoesAFloorThatMostlyLiesElsewhere) {
+  EXPECT_LT(tilt_rad({{kNewest}, {1}, {}}), 0.2 * kDegree) << "its plane has the one that is turned in it";
+}
+
+TEST_F(HingeTest, WithoutAFloorNothingDoes) {
+  for (KeyframeId id = 1; id <= kNewest; ++id) graph_.setFloor(id, 0);
+  EXPECT_NEAR(tilt_rad({{kNewest}, {1, 2, 3, 4}, {}}), kDegree, 0.01 * kDegree);
+}
+
+TEST_F(HingeTest, NorDoesAFloorThatOnlyTwoStandOn) {
+  for (const KeyframeId id : {2, 3, 4}) graph_.setFloor(id, 0);
+  EXPECT_NEAR(tilt_rad({{kNewest}, {1, 2, 3, 4}, {}}), kDegree, 0.01 * kDegree);
+}
+
 class WindowTest : public ::testing::Test {
  protected:
   WindowTest() {

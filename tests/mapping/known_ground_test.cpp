@@ -49,5 +49,17 @@ TEST_F(KnownGroundTest, WithoutAnyUpIsWhereTheMapHasIt) {
   EXPECT_FALSE(expected.height_m);
 }
 
+TEST_F(KnownGroundTest, IsWhatAKeyframeCameWith) {
+  auto here = keyframeAt(2.0, 0);
+  here.ground = core::GroundPlane{-Eigen::Vector3d::UnitY(), 0.7, Eigen::Matrix3d::Identity()};
+  View view;  // shows nothing
+  view.camera = scene::camera();
+  view.depth_m = cv::Mat(view.camera.height_px, view.camera.width_px, CV_32FC1, cv::Scalar(0));
+  const StandingGround ground = lookAtGround(view, keyframes_, here);
+  EXPECT_TRUE(ground.isSeen);
+  EXPECT_EQ(ground.plane.height_m, 0.7);
+  EXPECT_TRUE(here.ground);
+}
+
 }  // namespace
 }  // namespace wardslam::mapping

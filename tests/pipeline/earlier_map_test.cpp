@@ -30,6 +30,7 @@ TEST_F(EarlierMapTest, HasKeyframesWhereTheMapHasThemAndTheirPoints) {
   storage::MapChanges changes;
   changes.keyframes[7].T_map_cam.translation() = Eigen::Vector3d(1, 2, 3);
   changes.keyframes[7].piece = 4;
+  changes.keyframes[7].ground = core::GroundPlane{-Eigen::Vector3d::UnitY(), 1.1, Eigen::Matrix3d::Identity()};
   changes.views = {keyframe};
   changes.p_map_m[31] = Eigen::Vector3d(4, 5, 6);
   storage::MapFile::create(file_).write(changes);
@@ -41,6 +42,8 @@ TEST_F(EarlierMapTest, HasKeyframesWhereTheMapHasThemAndTheirPoints) {
   EXPECT_EQ(earlier.graph.map, 4U);
   EXPECT_EQ(earlier.graph.freeSubmap, 5U);
   EXPECT_TRUE(earlier.graph.keyframes[0]->T_map_cam.translation().isApprox(Eigen::Vector3d(1, 2, 3)));
+  ASSERT_TRUE(earlier.graph.keyframes[0]->ground);
+  EXPECT_EQ(earlier.graph.keyframes[0]->ground->height_m, 1.1);
   EXPECT_EQ(earlier.graph.p_map_m.at(31), Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(earlier.semantic.keyframes.count(7), 1U);
 }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "floor_ties.h"
 #include "wardslam/odometry/observation_error.h"
 
 namespace wardslam::graph {
@@ -34,16 +36,35 @@ struct Edge {
   ObservationError error;
 };
 
-/// The window's poses and points as the solver's variables.
+/// Costs nothing. Ceres eliminates what has few neighbours before the poses, and a plane with the points; but that
+/// would tie all that stand on it to each other, each to each. Beside a point, which goes first, a plane stays with the
+/// poses.
+struct Weightless {
+  template <class T>
+  bool operator()(const T* plane, const T* point, T* error) const {
+    error[0] = T(0.0) * (plane[0] + point[0]);
+    return true;
+  }
+};
+
+std::set<KeyframeId> keyframesOf(const AdjustmentWindow& window) {
+  std::set<KeyframeId> keyframes = window.moved;
+  keyframes.insert(window.fixed.begin(), window.fixed.end());
+  return keyframes;
+}
+
+/// The window's poses, points and floors as the solver's variables.
 class AdjustmentProblem {
  public:
   AdjustmentProblem(const KeyframeGraph& graph, const AdjustmentWindow& window, const BundleAdjustmentOptions& options)
-      : options_(options) {
+      : options_(options), floors_(graph, keyframesOf(window)) {
     for (const PointId id : window.points) {
       const PointNode& node = graph.points().at(id);
       if (node.seenBy.size() < 2) continue;  // one sighting tells nothing of poses
       points_.emplace(id, node.point.p_map_m);
       if (node.isHeld) heldPoints_.insert(id);
+      const bool isSeenLess = !leastSeen_ || node.seenBy.size() < graph.points().at(*leastSeen_).seenBy.size();
+      if (!node.isHeld && isSeenLess) leastSeen_ = id;
     }
     for (const KeyframeId id : window.moved) add(graph.keyframes().at(id), id);
     for (const KeyframeId id : window.fixed) add(graph.keyframes().at(id), id);
@@ -56,6 +77,7 @@ class AdjustmentProblem {
       // A point behind the camera has no error that could be made less, and one such would end it all.
       if (std::isfinite(squaredError(edge))) addResidual(edge, problem);
     }
+    addFloors(problem);
     for (const KeyframeId id : fixed_) {
       double* pose = poses_.at(id).data();
       if (problem.HasParameterBlock(pose)) problem.SetParameterBlockConstant(pose);
@@ -128,7 +150,23 @@ class AdjustmentProblem {
                              points_.at(edge.point).data());
   }
 
+  void addFloors(ceres::Problem& problem) {
+    const auto poseOf = [&](KeyframeId id) {
+      double* pose = poses_.at(id).data();
+      return problem.HasParameterBlock(pose) ? pose : nullptr;
+    };
+    floors_.addTo(problem, PoseKind::CamFromMap, poseOf);
+    if (!leastSeen_ || !problem.HasParameterBlock(points_.at(*leastSeen_).data())) return;
+    for (double* plane : floors_.variablePlanes()) {
+      if (!problem.HasParameterBlock(plane)) continue;
+      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Weightless, 1, 3, 3>(new Weightless), nullptr, plane,
+                               points_.at(*leastSeen_).data());
+    }
+  }
+
   const BundleAdjustmentOptions& options_;
+  FloorTies floors_;
+  std::optional<PointId> leastSeen_;
   std::map<KeyframeId, PoseVector> poses_;  // T_cam_map
   std::map<PointId, Eigen::Vector3d> points_;
   std::set<KeyframeId> fixed_;

@@ -26,7 +26,8 @@ struct AdjustmentWindow {
 /// Everything in one submap; its first keyframe holds still where nothing is held.
 [[nodiscard]] AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap);
 
-/// Least squares over all sightings in the window, reprojection and depth, with a robust loss; sightings that do not
+/// Least squares over all sightings in the window, reprojection and depth, and the floors its keyframes stand on
+/// (FloorTies), with a robust loss; sightings that do not
 /// fit afterwards are removed from the graph. Returns what changed. Stops early, with the best so far, once `stop`
 /// (may be null) is set.
 odometry::MapUpdate adjust(KeyframeGraph& graph, const AdjustmentWindow& window, const BundleAdjustmentOptions& options,

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "bundle_adjustment.h"
+#include "floors.h"
 #include "lookalikes.h"
 #include "loop_confirmation.h"
 #include "loop_fit.h"
@@ -71,6 +72,7 @@ void Mapper::restore(const SavedGraph& saved, Saved use) {
     pieces_.add(keyframe->id, keyframe->submap);
     rememberPlace(keyframe->id);
   }
+  for (const auto& keyframe : saved.keyframes) findFloorOf(keyframe->id);
   for (const Loop& loop : saved.loops) {
     const bool isTied = graph_.keyframes().count(loop.older) > 0 && graph_.keyframes().count(loop.newer) > 0;
     if (isTied) loops_.push_back(loop);
@@ -84,6 +86,7 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
   graph_.insert(keyframe);
   pieces_.add(keyframe->id, keyframe->submap);
+  findFloorOf(keyframe->id);
   auto update = adjust(graph_, localWindow(graph_, keyframe->id, adjustment), adjustment, adjustment.local_iterations);
   cullPoints(keyframe->id, update);
   if (options_.cull_keyframes) cullKeyframes(keyframe->id, update);
@@ -97,6 +100,10 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
   recallAround(keyframe->id, update);
   tellNewest(graph_, keyframe->id, update);
   return update;
+}
+
+void Mapper::findFloorOf(KeyframeId id) {
+  if (options_.floor) findFloor(graph_, id, static_cast<std::size_t>(options_.bundle_adjustment.min_shared_points));
 }
 
 void Mapper::cullPoints(KeyframeId newest, odometry::MapUpdate& update) {
@@ -322,7 +329,9 @@ void Mapper::optimisePoses(std::uint32_t submap) {
   for (const auto& [id, pose] : poses.nodes) {
     if (isHeld(id)) held.insert(id);
   }
-  optimise(poses, loopEdges, held, options_.pose_graph);
+  std::set<KeyframeId> nodes;
+  for (const auto& [id, pose] : poses.nodes) nodes.insert(id);
+  optimise(poses, loopEdges, held, options_.pose_graph, FloorTies(graph_, nodes));
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
   for (const auto& [id, pose] : poses.nodes) {
     if (held.count(id) == 0) T_map_cam[id] = core::fromMrpt(pose);

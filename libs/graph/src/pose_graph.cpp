@@ -18,6 +18,9 @@ namespace {
 using odometry::PoseVector;
 
 constexpr double kPointsOfFullWeight = 100.0;
+/// Edges are taken for some ten times less sure than adjusted neighbours are, all alike. Floors are not, and would
+/// shake the keyframes by the noise of each image's depth.
+constexpr double kFloorWeight = 0.01;
 constexpr double kLoopKernel = 5.0;  // standard deviations; drift makes true loops miss by tens at first
 
 /// How far the pose of `to` seen from `from` is from what the edge says, whitened.
@@ -65,7 +68,7 @@ EdgeError errorOf(const PoseGraph::constraint_t& edge) {
 }
 
 void optimiseWithCeres(PoseGraph& poses, const std::set<std::pair<KeyframeId, KeyframeId>>& loopEdges,
-                       std::set<KeyframeId> constant, const PoseGraphOptions& options) {
+                       std::set<KeyframeId> constant, FloorTies floors, const PoseGraphOptions& options) {
   std::map<KeyframeId, PoseVector> variables;
   for (const auto& [id, pose] : poses.nodes) variables[id] = odometry::toPoseVector(core::fromMrpt(pose));
   ceres::Problem problem;
@@ -74,6 +77,11 @@ void optimiseWithCeres(PoseGraph& poses, const std::set<std::pair<KeyframeId, Ke
     auto* loss = loopEdges.count(ends) != 0 ? new ceres::CauchyLoss(kLoopKernel) : nullptr;
     problem.AddResidualBlock(cost, loss, variables.at(ends.first).data(), variables.at(ends.second).data());
   }
+  const auto poseOf = [&](KeyframeId id) {
+    const auto pose = variables.find(id);
+    return pose == variables.end() ? nullptr : pose->second.data();
+  };
+  floors.addTo(problem, PoseKind::MapFromCam, poseOf, kFloorWeight);
   constant.insert(poses.root);
   bool isAnchored = false;
   for (const KeyframeId id : constant) {
@@ -133,11 +141,11 @@ PoseGraph makePoseGraph(const KeyframeGraph& graph, std::uint32_t submap, const 
 }
 
 void optimise(PoseGraph& poses, const std::set<std::pair<KeyframeId, KeyframeId>>& loopEdges,
-              const std::set<KeyframeId>& held, const PoseGraphOptions& options) {
+              const std::set<KeyframeId>& held, const PoseGraphOptions& options, const FloorTies& floors) {
   if (options.solver == PoseGraphSolver::Levmarq) {
     optimiseWithLevmarq(poses, options);
   } else {
-    optimiseWithCeres(poses, loopEdges, held, options);
+    optimiseWithCeres(poses, loopEdges, held, floors, options);
   }
 }
 

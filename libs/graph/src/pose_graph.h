@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "floor_ties.h"
 #include "wardslam/graph/graph_options.h"
 #include "wardslam/graph/keyframe_graph.h"
 #include "wardslam/graph/loop_verification.h"
@@ -21,8 +22,9 @@ using PoseGraph = mrpt::graphs::CNetworkOfPoses3DInf;
                                       const PoseGraphOptions& options);
 
 /// Moves all nodes but the root and those of `held` so that the edges agree best. `loopEdges` are bent by a robust
-/// kernel when they do not fit the rest, and held nodes hold still (both Ceres only).
+/// kernel when they do not fit the rest, held nodes hold still, and what stands on one floor stays on it (all Ceres
+/// only).
 void optimise(PoseGraph& poses, const std::set<std::pair<KeyframeId, KeyframeId>>& loopEdges,
-              const std::set<KeyframeId>& held, const PoseGraphOptions& options);
+              const std::set<KeyframeId>& held, const PoseGraphOptions& options, const FloorTies& floors = {});
 
 }  // namespace wardslam::graph

@@ -46,7 +46,7 @@ GroundExpectation expectedAt(const PlacedKeyframe& here, const std::optional<Kno
 StandingGround lookAtGround(const View& view, const std::map<odometry::KeyframeId, PlacedKeyframe>& keyframes,
                             PlacedKeyframe& here) {
   const auto known = groundKnownAt(keyframes, here);
-  here.ground = findGround(view.depth_m, view.camera, expectedAt(here, known));
+  if (!here.ground) here.ground = findGround(view.depth_m, view.camera, expectedAt(here, known));
   if (here.ground) return {*here.ground, true};
   if (known) return {known->plane, true};
   return {core::GroundPlane::atZero(here.T_map_cam), false};

@@ -28,8 +28,8 @@ struct KnownGround {
 /// Where nothing is known yet, up is where the map frame has it.
 [[nodiscard]] GroundExpectation expectedAt(const PlacedKeyframe& here, const std::optional<KnownGround>& known);
 
-/// Notes the ground that the keyframe's own image shows. Returns what it stands on, by that, else by what is known,
-/// else z = 0.
+/// Notes the ground that the keyframe's own image shows, unless the keyframe came with it. Returns what it stands on,
+/// by that, else by what is known, else z = 0.
 StandingGround lookAtGround(const View& view, const std::map<odometry::KeyframeId, PlacedKeyframe>& keyframes,
                             PlacedKeyframe& here);
 

@@ -125,7 +125,7 @@ void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
   const std::uint32_t piece = pieces_.pieceOf(keyframe.submap);
   pieces_.add(keyframe.id, keyframe.submap);
   const Eigen::Isometry3d T_map_cam = placeOf(keyframe, piece);
-  keyframes_[keyframe.id] = {piece, keyframe.stamp_s, T_map_cam, {}, {}};
+  keyframes_[keyframe.id] = {piece, keyframe.stamp_s, T_map_cam, {}, keyframe.ground};
   part(piece).cloud.addTile(keyframe.id, T_map_cam);
   changes_.keyframes.insert(keyframe.id);
 }

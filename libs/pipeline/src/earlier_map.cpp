@@ -23,6 +23,7 @@ EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use) {
     const auto placed = earlier.semantic.keyframes.find(keyframe.id);
     if (placed == earlier.semantic.keyframes.end()) continue;
     keyframe.T_map_cam = placed->second.T_map_cam;
+    keyframe.ground = placed->second.ground;
     earlier.graph.keyframes.push_back(std::make_shared<const odometry::Keyframe>(std::move(keyframe)));
   }
   for (const auto& loop : map.readLoops()) {

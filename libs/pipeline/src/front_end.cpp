@@ -52,6 +52,10 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
     return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features),
                            {frame.depth_m, frame.mayMove});
   });
+  if (odometry.keyframe) {
+    odometry.keyframe =
+        profiler_.time("mapping.ground", [&] { return groundWatch_.look(odometry.keyframe, frame.depth_m); });
+  }
   const auto T_map_cam = odometry.pose();
   filters_.end(frame, T_map_cam ? std::optional(T_odom_map_ * *T_map_cam) : std::nullopt);
   return {std::move(frame), std::move(odometry)};

@@ -154,6 +154,7 @@ struct RedundancyOptions {
 struct GraphOptions {
   bool close_loops = true;
   bool cull_keyframes = true;
+  bool floor = true;
   int probation_keyframes = 3;
   RedundancyOptions redundancy;
   BundleAdjustmentOptions bundle_adjustment;
@@ -167,6 +168,8 @@ struct GraphOptions {
     visit("close_loops", self.close_loops, "recognise places, correct the map there, join submaps");
     visit("cull_keyframes", self.cull_keyframes,
           "give up keyframes that show nothing others do not: the map grows with the area, not with time");
+    visit("floor", self.floor,
+          "keyframes that see the same level floor hold its plane in common: height and level drift less");
     visit("probation_keyframes", self.probation_keyframes, {1, 1000}, "count",
           "in which a new point must be seen again, or it is dropped");
     visit.group("redundancy", self.redundancy);

@@ -24,6 +24,7 @@ struct KeyframeNode {
   std::uint32_t submap = 0;                   ///< Keyframes of one submap share a map frame.
   bool isHeld = false;                        ///< Stays as it is, see KeyframeGraph::hold().
   bool isRestored = false;                    ///< Of an earlier run.
+  KeyframeId floor = 0;  ///< The floor it stands on, by a keyframe that stood there first; 0: none known.
 };
 
 /// A map point and the keyframes that see it.
@@ -54,6 +55,7 @@ class KeyframeGraph {
   [[nodiscard]] std::vector<std::pair<KeyframeId, std::size_t>> covisible(KeyframeId id) const;
 
   void setPose(KeyframeId id, const Eigen::Isometry3d& T_map_cam);
+  void setFloor(KeyframeId id, KeyframeId floor) { keyframes_.at(id).floor = floor; }
   void setPosition(PointId id, const Eigen::Vector3d& p_map_m);
   void removeSighting(KeyframeId keyframe, PointId point);  ///< And the point, when nobody else sees it.
 

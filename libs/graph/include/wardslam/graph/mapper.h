@@ -66,6 +66,7 @@ class Mapper {
   odometry::MapUpdate adjustAll();
 
  private:
+  void findFloorOf(KeyframeId id);
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
   void cullKeyframes(KeyframeId newest, odometry::MapUpdate& update);
   void remove(KeyframeId id, odometry::MapUpdate& update);

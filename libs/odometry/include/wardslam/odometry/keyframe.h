@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "wardslam/core/camera_model.h"
+#include "wardslam/core/ground_plane.h"
 #include "wardslam/core/keypoint.h"
 #include "wardslam/odometry/depth_view.h"
 
@@ -32,6 +34,7 @@ struct Keyframe {
   core::Features features;  ///< Static ones only.
   std::vector<Sighting> sightings;
   std::shared_ptr<const DepthView> depth = nullptr;  ///< Null: not known any more, as of an earlier run.
+  std::optional<core::GroundPlane> ground;  ///< That its image shows, where somebody looked and there is one.
 };
 
 }  // namespace wardslam::odometry

@@ -9,6 +9,7 @@
 #include "wardslam/features/orb_extractor.h"
 #include "wardslam/filters/filter_chain.h"
 #include "wardslam/knowledge/motion_rules.h"
+#include "wardslam/mapping/ground_watch.h"
 #include "wardslam/odometry/odometry.h"
 #include "wardslam/pipeline/slam_options.h"
 #include "wardslam/sources/frame_builder.h"
@@ -62,6 +63,7 @@ class FrontEnd {
   features::OrbExtractor features_;
   filters::FilterChain filters_;
   odometry::Odometry odometry_;
+  mapping::GroundWatch groundWatch_;
   /// Where the camera goes without corrections of the map, which filters would take for its motion.
   Eigen::Isometry3d T_odom_map_ = Eigen::Isometry3d::Identity();
   core::Profiler profiler_;
