@@ -61,10 +61,11 @@ core::StageThread threadOf(const SlamOptions& options) {
   return options.deterministic ? core::StageThread::Caller : core::StageThread::Own;
 }
 
-/// A recording waits when tracking is more than a few keyframes ahead; each is some four tasks of the map builder.
+/// A recording waits when tracking is more than a keyframe ahead of the one in work: what tracking is told late of known
+/// places, it maps a second time, and fewer keyframes turn out to show nothing new.
 core::StageCapacity graphCapacity(WhenBehind whenBehind) {
   core::StageCapacity capacity;
-  if (whenBehind == WhenBehind::Waits) capacity.required = 4;
+  if (whenBehind == WhenBehind::Waits) capacity.required = 1;
   return capacity;
 }
 
@@ -85,6 +86,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, Wh
     : options_(options),
       frontEnd_(options, continuationOf(earlier.graph)),
       zones_(zonesOf(options, earlier.semantic)),
+      canWait_(whenBehind == WhenBehind::Waits),
       graphBuilding_(makeMapper(options, earlier), threadOf(options), graphCapacity(whenBehind)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
   if (hasEarlierMap_) pieces_ = odometry::Pieces(earlier.graph.map);
@@ -132,10 +134,10 @@ void SlamSystem::noteRecognition(std::uint32_t piece, double stamp_s) {
   if (hasEarlierMap_ && !recognisedAt_s_ && pieces_.isMap(piece)) recognisedAt_s_ = stamp_s;
 }
 
-/// A keyframe that comes while another is worked in has adjustments over the whole map end early.
+/// A keyframe that comes while another is worked in has adjustments over the whole map end early, unless it can wait.
 void SlamSystem::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
   graphBuilding_.post([this, keyframe](graph::Mapper& mapper) {
-    mapUpdates_.put(mapper.insert(keyframe, &graphBuilding_.isWaitedFor()));
+    mapUpdates_.put(mapper.insert(keyframe, canWait_ ? nullptr : &graphBuilding_.isWaitedFor()));
   });
 }
 

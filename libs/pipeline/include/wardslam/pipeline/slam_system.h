@@ -111,6 +111,7 @@ class SlamSystem {
   SlamOptions options_;
   FrontEnd frontEnd_;
   mapping::Zones zones_;
+  const bool canWait_;  ///< Images of a recording can.
   bool hasEarlierMap_ = false;
   std::optional<double> recognisedAt_s_;
   odometry::Pieces pieces_;
