@@ -53,7 +53,7 @@ TEST(DefaultRun, MakesTheMapOfADeterministicOne) {
   }
 }
 
-/// Not so yet: where the graph lags behind, tracking learns late of known places, and fewer keyframes are given up.
+/// Where the graph lags behind, tracking learns late of known places, and fewer keyframes are given up.
 TEST(DefaultRun, HasTheFloorOfADeterministicOne) {
   const Content wanted = contentOf(floorRun());
   const Content found = contentOf(floorRunWithThreads());

@@ -420,50 +420,5 @@ TEST(MapperInStage, BothWaysHoldAllKeyframesInTheEnd) {
   }
 }
 
-/// Keyframes of a level walk, with the floor in sight or without.
-std::vector<std::shared_ptr<const odometry::Keyframe>> levelWalk(bool seesFloor) {
-  SyntheticWalk walk({0.5, 0.5, 10}, 1500);
-  std::vector<std::shared_ptr<const odometry::Keyframe>> keyframes;
-  for (int i = 0; i < 10; ++i) {
-    const auto keyframe = walk.step();
-    if (seesFloor) {
-      keyframe->ground = core::GroundPlane{-Eigen::Vector3d::UnitY(), 1.2, Eigen::Matrix3d::Identity() * 1e-6};
-    }
-    keyframes.push_back(keyframe);
-  }
-  return keyframes;
-}
-
-KeyframeGraph graphOf(const std::vector<std::shared_ptr<const odometry::Keyframe>>& keyframes, bool floor) {
-  GraphOptions options = fewAndFast();
-  options.floor = floor;
-  Mapper mapper(options, {});
-  for (const auto& keyframe : keyframes) static_cast<void>(mapper.insert(keyframe));
-  return mapper.graph();
-}
-
-TEST(MapperFloor, KeyframesStandOnTheFloorTheySee) {
-  const auto keyframes = levelWalk(true);
-  const KeyframeGraph with = graphOf(keyframes, true);
-  const KeyframeGraph without = graphOf(keyframes, false);
-  for (const auto& [id, node] : with.keyframes()) EXPECT_EQ(node.floor, 1U);
-  for (const auto& [id, node] : without.keyframes()) EXPECT_EQ(node.floor, 0U);
-}
-
-TEST(MapperFloor, IsKnownOfAnEarlierRun) {
-  const SavedGraph saved = save(graphOf(levelWalk(true), true));
-  Mapper mapper(fewAndFast(), {});
-  mapper.restore(saved);
-  for (const auto& [id, node] : mapper.graph().keyframes()) EXPECT_EQ(node.floor, 1U);
-}
-
-TEST(MapperFloor, WithoutOneInSightNothingChanges) {
-  const auto keyframes = levelWalk(false);
-  const KeyframeGraph with = graphOf(keyframes, true);
-  const KeyframeGraph without = graphOf(keyframes, false);
-  for (const auto& [id, node] : with.keyframes())
-    EXPECT_EQ(node.T_map_cam.matrix(), without.keyframes().at(id).T_map_cam.matrix());
-}
-
 }  // namespace
 }  // namespace wardslam::graph

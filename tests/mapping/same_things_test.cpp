@@ -54,6 +54,20 @@ TEST_F(SameThingsTest, MeasureTheSharedPartByTheSmallerBox) {
   EXPECT_THAT(same(), ElementsAre(Pair(2, 1)));
 }
 
+TEST_F(SameThingsTest, AreOneSideAndTheOtherOfAThingThatFewImagesShow) {
+  MapObject side = object(4, kChair, 0.95);
+  add(object(3, kChair, 0.0));
+  add(side);
+  EXPECT_THAT(same(), IsEmpty()) << "many images show both";
+  side.views = 3;
+  add(side);
+  EXPECT_THAT(same(), ElementsAre(Pair(4, 3)));
+  side = object(4, kChair, 1.05);
+  side.views = 3;
+  add(side);
+  EXPECT_THAT(same(), IsEmpty()) << "there is a gap";
+}
+
 TEST_F(SameThingsTest, AreOfOneClassAndStillThere) {
   add(object(1, kChair, 0.0));
   add(object(2, kBed, 0.0));

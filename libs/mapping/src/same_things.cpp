@@ -10,6 +10,9 @@ namespace {
 /// Two objects of one class are one when their boxes share so much of the smaller.
 constexpr double kSameBox = 0.5;
 
+/// So few images show no more than one side of a thing.
+constexpr int kFewViews = 3;
+
 /// A thing that moved is found again by its class and by its longest side, which agree within this factor.
 constexpr double kSameSize = 2.0;
 
@@ -38,7 +41,9 @@ double sharedOfSmaller(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& 
 
 bool coverOnePlace(const MapObject& a, const MapObject& b, double margin_m) {
   if (a.classId != b.classId || a.state == ObjectState::Gone || b.state == ObjectState::Gone) return false;
-  return sharedOfSmaller(a.box_m, b.box_m, margin_m) > kSameBox;
+  const double shared = sharedOfSmaller(a.box_m, b.box_m, margin_m);
+  const bool isOneSide = std::min(a.views, b.views) <= kFewViews;
+  return shared > (isOneSide ? 0.0 : kSameBox);
 }
 
 bool isInHands(const ObjectRecord& record) { return record.viewsToRest > 0; }

@@ -48,8 +48,8 @@ class PoseTracker {
   /// From a pose that is nearly right: looks for all points of the neighbourhood.
   [[nodiscard]] Tracking trackNeighbourhood(const TrackedImage& view, const LocalMap& map, const Tracking& rough) const;
 
-  /// From nothing: by looks, which most of what should be in sight, its depth and the lack of another place like it must
-  /// bear out, for one place of a hospital looks like another. Else without inliers.
+  /// From nothing: by looks, which most of what should be in sight, its depth and the lack of another place like it
+  /// must bear out, for one place of a hospital looks like another. Else without inliers.
   [[nodiscard]] Tracking relocalise(const TrackedImage& view, const LocalMap& map) const;
 
  private:

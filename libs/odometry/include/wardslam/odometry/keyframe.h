@@ -34,7 +34,7 @@ struct Keyframe {
   core::Features features;  ///< Static ones only.
   std::vector<Sighting> sightings;
   std::shared_ptr<const DepthView> depth = nullptr;  ///< Null: not known any more, as of an earlier run.
-  std::optional<core::GroundPlane> ground;  ///< That its image shows, where somebody looked and there is one.
+  std::optional<core::GroundPlane> ground;           ///< That its image shows, where somebody looked and there is one.
 };
 
 }  // namespace wardslam::odometry
