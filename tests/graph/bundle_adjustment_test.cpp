@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "graph/hand_made_keyframe.h"
 #include "graph/synthetic_walk.h"
@@ -203,6 +204,49 @@ TEST_F(WindowTest, TheGlobalOneIsOneSubmap) {
   EXPECT_THAT(window.moved, ElementsAre(2, 3, 4, 5));
   EXPECT_EQ(window.points.count(20), 0U);
   EXPECT_EQ(window.points.size(), 8U);
+}
+
+/// A map of an earlier run, keyframes 1 and 2, and a run that goes on in it.
+class GoingOnWindowTest : public WindowTest {
+ protected:
+  static std::vector<PointId> points(PointId first, PointId end) {
+    std::vector<PointId> ids(end - first);
+    std::iota(ids.begin(), ids.end(), first);
+    return ids;
+  }
+
+  void goOn(PointId firstSeen) {
+    graph_ = {};
+    graph_.restore(handMadeKeyframe(1, points(1, 20)), {});
+    graph_.restore(handMadeKeyframe(2, points(10, 40)), {});
+    graph_.insert(handMadeKeyframe(3, points(firstSeen, 60)));
+    graph_.insert(handMadeKeyframe(4, points(40, 80)));
+  }
+};
+
+TEST_F(GoingOnWindowTest, WhatIsSettledHoldsStillWhereItSeesWhatMoves) {
+  goOn(20);
+  const auto window = globalWindow(graph_, 1);
+  EXPECT_THAT(window.moved, ElementsAre(3, 4));
+  EXPECT_THAT(window.fixed, ElementsAre(2)) << "the first sees nothing that moves";
+  EXPECT_EQ(window.points.count(19), 0U);
+  options_.window = 10;
+  const auto local = localWindow(graph_, 3, options_);
+  EXPECT_THAT(local.moved, ElementsAre(3, 4));
+  EXPECT_THAT(local.fixed, ElementsAre(2));
+}
+
+TEST_F(GoingOnWindowTest, WhatIsSettledAndSharesLittleIsNotEnoughToHoldOn) {
+  goOn(38);
+  const auto window = globalWindow(graph_, 1);
+  EXPECT_THAT(window.moved, ElementsAre(4));
+  EXPECT_THAT(window.fixed, ElementsAre(2, 3)) << "two points tell of no pose";
+}
+
+TEST_F(GoingOnWindowTest, WhatGaveWayMovesAsAnyOther) {
+  goOn(20);
+  graph_.unsettle(1);
+  EXPECT_THAT(globalWindow(graph_, 1).moved, ElementsAre(2, 3, 4));
 }
 
 }  // namespace

@@ -49,6 +49,49 @@ TEST(KeyframeGraph, MakesNoPointWithoutDepth) {
   EXPECT_EQ(graph.points().count(2), 0U);
 }
 
+TEST(KeyframeGraph, APointOfAnEarlierRunIsSeenWithoutDepthToo) {
+  auto flat = handMadeKeyframe(1, {1, 2, 3});
+  for (auto& keypoint : flat->features.keypoints) keypoint.depth_m = 0.0F;
+  const std::map<PointId, Eigen::Vector3d> p_map_m{{1, {-1.1, -0.5, 2.01}}, {2, {-1.0, -0.5, 2.02}}};
+  KeyframeGraph graph;
+  graph.restore(flat, p_map_m);
+  graph.restore(handMadeKeyframe(2, {1}), p_map_m);
+  EXPECT_THAT(graph.keyframes().at(1).keypointOf, ElementsAre(Pair(1, 0), Pair(2, 1)))
+      << "nobody knows where the third is";
+  EXPECT_THAT(graph.points().at(1).seenBy, ElementsAre(1, 2));
+  for (const auto& [id, place_m] : p_map_m) EXPECT_EQ(graph.points().at(id).point.p_map_m, place_m) << id;
+  EXPECT_GT(graph.points().at(2).point.information_per_m2.determinant(), 1e9) << "known to centimetres";
+  EXPECT_EQ(flat->features.keypoints[0].depth_m, 0.0F);
+}
+
+TEST(KeyframeGraph, WhatAnEarlierRunSettledIsSoUntilItsSubmapIsJoinedOrGivesWay) {
+  KeyframeGraph graph;
+  graph.restore(handMadeKeyframe(1, {1}, 1), {});
+  graph.restore(handMadeKeyframe(2, {2}, 2), {});
+  graph.insert(handMadeKeyframe(3, {3}, 3));
+  const auto areSettled = [&] {
+    std::set<KeyframeId> settled;
+    for (const auto& [id, node] : graph.keyframes()) {
+      if (node.isSettled) settled.insert(id);
+    }
+    return settled;
+  };
+  EXPECT_THAT(areSettled(), ElementsAre(1, 2));
+  EXPECT_FALSE(graph.isAnySettled(3));
+  graph.beginTrial();
+  graph.joinSubmaps(2, 1);
+  graph.joinSubmaps(3, 1);
+  EXPECT_THAT(areSettled(), ElementsAre(1)) << "the frame is that of the first";
+  graph.unsettle(1);
+  EXPECT_THAT(areSettled(), IsEmpty());
+  EXPECT_FALSE(graph.isAnySettled(1));
+  graph.takeBack();
+  EXPECT_THAT(areSettled(), ElementsAre(1, 2));
+  EXPECT_TRUE(graph.isAnySettled(2));
+  graph.hold();
+  EXPECT_THAT(areSettled(), IsEmpty()) << "held is more";
+}
+
 TEST(KeyframeGraph, APointGoesWithItsLastSighting) {
   KeyframeGraph graph;
   graph.insert(handMadeKeyframe(1, {1, 2}));

@@ -51,6 +51,27 @@ TEST_F(WayUncertaintyTest, GoesByALoopWhereThatIsShorter) {
   EXPECT_NEAR(found->rotation_rad2, options_.rotation_drift_rad * options_.rotation_drift_rad, 1e-12) << "one metre";
 }
 
+TEST_F(WayUncertaintyTest, WhatIsSettledHasNotDrifted) {
+  for (const KeyframeId id : {1, 2, 3}) {
+    auto keyframe = std::make_shared<odometry::Keyframe>();
+    keyframe->id = id;
+    keyframe->submap = 1;
+    keyframe->T_map_cam = makePose({10.0 * static_cast<double>(id), 0, 0});
+    graph_.restore(keyframe, {});
+  }
+  for (const KeyframeId id : {4, 5}) {
+    auto keyframe = std::make_shared<odometry::Keyframe>();
+    keyframe->id = id;
+    keyframe->submap = 1;
+    keyframe->T_previous_cam = makePose({1, 0, 0});
+    graph_.insert(keyframe);
+  }
+  const double step_rad2 = options_.rotation_drift_rad * options_.rotation_drift_rad;
+  EXPECT_NEAR(uncertaintyOfWay(graph_, {}, 1, 5, options_)->rotation_rad2, 22 * step_rad2, 1e-12);
+  EXPECT_NEAR(uncertaintyOfWay(graph_, {}, 1, 5, options_, Drifting::Unsettled)->rotation_rad2, 2 * step_rad2, 1e-12);
+  EXPECT_EQ(uncertaintyOfWay(graph_, {}, 1, 3, options_, Drifting::Unsettled)->rotation_rad2, 0.0);
+}
+
 TEST_F(WayUncertaintyTest, BetweenPiecesNothingIsKnown) {
   goStraight(2);
   auto anew = std::make_shared<odometry::Keyframe>();

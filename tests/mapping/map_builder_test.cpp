@@ -353,6 +353,15 @@ TEST_F(MapBuilderTest, TellsWhatChanged) {
   EXPECT_TRUE(changes.objects.empty());
 }
 
+TEST_F(MapBuilderTest, ToBeToldWhatIsKnownChangesNothing) {
+  look({wall(), chair(2, 0, 1)}, 3);
+  static_cast<void>(builder_.takeChanges());
+  odometry::MapUpdate update;
+  update.T_map_cam[1] = cameraAt({0, 0, 1});
+  builder_.apply(update);
+  EXPECT_TRUE(builder_.takeChanges().empty());
+}
+
 TEST_F(MapBuilderTest, GivesTheNamedPartsOnly) {
   look({wall(), chair(2, 0, 1)}, 3);
   const ObjectId id = objects().front().id;
@@ -414,6 +423,7 @@ TEST_F(MapBuilderTest, WhatHungOnARemovedKeyframeStaysAndHangsOnItsHeir) {
   const MapParts changes = builder_.takeChanges();
   EXPECT_EQ(changes.keyframes.count(2), 1U);
   EXPECT_THAT(changes.tiles, testing::ElementsAre(1, 2));
+  EXPECT_TRUE(changes.objects.empty()) << "they stay where they were, to the last bit";
   const SemanticMap map = builder_.map();
   EXPECT_EQ(map.keyframes.count(2), 0U);
   EXPECT_EQ(map.cloud.count(2), 0U);

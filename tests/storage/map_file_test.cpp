@@ -118,6 +118,32 @@ TEST_F(MapFileTest, GivesBackLoopsLabelsAndOptions) {
   EXPECT_EQ(file.header().options, "features:\n  key_points: 1000\n");
 }
 
+TEST_F(MapFileTest, LoopsThatAreWrittenAgainStayToTheLastBit) {
+  MapFile file = writeWard();
+  MapChanges changes;
+  changes.graph = GraphContent{};
+  const auto turned = [](double angle_rad) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -angle_rad, 0.7).normalized();
+    return Eigen::Isometry3d(Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(angle_rad, axis));
+  };
+  changes.loops = {{1, 2, turned(0.3)}, {1, 3, turned(1.1)}, {2, 3, turned(2.9)}};
+  file.write(changes);
+  const auto first = file.readLoops();
+  ASSERT_EQ(first.size(), 3U);
+  for (int i = 0; i < 10; ++i) {
+    changes.loops = file.readLoops();
+    file.write(changes);
+  }
+  const auto last = file.readLoops();
+  ASSERT_EQ(last.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(last[i].T_from_to.matrix(), first[i].T_from_to.matrix()) << i;
+  changes.loops = {last[0], {2, 3, turned(0.1)}};
+  file.write(changes);
+  ASSERT_EQ(file.readLoops().size(), 2U) << "those that are not named are gone";
+  EXPECT_EQ(file.readLoops()[0].to, 2U);
+  EXPECT_TRUE(file.readLoops()[1].T_from_to.isApprox(turned(0.1), 1e-12));
+}
+
 TEST_F(MapFileTest, TellsHowMuchItHolds) {
   writeWard();
   const auto info = MapFile::open(path_).info();

@@ -181,6 +181,15 @@ bool isTiedToHeld(const KeyframeGraph& graph, const AdjustmentWindow& window) {
   return std::count_if(window.points.begin(), window.points.end(), isHeld) >= kPointsThatTie;
 }
 
+bool isTiedToFixed(const KeyframeGraph& graph, const AdjustmentWindow& window) {
+  const auto isFixed = [&](KeyframeId id) { return window.fixed.count(id) != 0; };
+  const auto isSeenByFixed = [&](PointId id) {
+    const auto& seenBy = graph.points().at(id).seenBy;
+    return std::any_of(seenBy.begin(), seenBy.end(), isFixed);
+  };
+  return std::count_if(window.points.begin(), window.points.end(), isSeenByFixed) >= kPointsThatTie;
+}
+
 /// The map frame is that of what is held, or the first keyframe's; where it is out of reach something else must hold
 /// still.
 void holdFirst(const KeyframeGraph& graph, AdjustmentWindow& window) {
@@ -197,7 +206,8 @@ AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, cons
   window.moved.insert(newest);
   const auto isHeld = [&graph](KeyframeId id) { return graph.keyframes().at(id).isHeld; };
   for (const auto& [id, shared] : graph.covisible(newest)) {
-    const bool isNeighbour = shared >= static_cast<std::size_t>(options.min_shared_points) && !isHeld(id);
+    const bool moves = !isHeld(id) && !graph.keyframes().at(id).isSettled;
+    const bool isNeighbour = shared >= static_cast<std::size_t>(options.min_shared_points) && moves;
     if (isNeighbour && window.moved.size() < static_cast<std::size_t>(options.window)) window.moved.insert(id);
   }
   std::map<KeyframeId, std::size_t> others;
@@ -222,11 +232,16 @@ AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, cons
 AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap) {
   AdjustmentWindow window;
   for (const auto& [id, node] : graph.keyframes()) {
-    if (node.submap != submap || node.isHeld) continue;
+    if (node.submap != submap || node.isHeld || node.isSettled) continue;
     window.moved.insert(id);
     for (const auto& [point, keypoint] : node.keypointOf) window.points.insert(point);
   }
-  if (window.moved.empty() || isTiedToHeld(graph, window)) return window;
+  for (const auto& [id, node] : graph.keyframes()) {
+    if (node.submap != submap || !node.isSettled) continue;
+    const auto isMoved = [&window](const auto& sighting) { return window.points.count(sighting.first) != 0; };
+    if (std::any_of(node.keypointOf.begin(), node.keypointOf.end(), isMoved)) window.fixed.insert(id);
+  }
+  if (window.moved.empty() || isTiedToHeld(graph, window) || isTiedToFixed(graph, window)) return window;
   window.fixed.insert(window.moved.extract(window.moved.begin()).value());
   return window;
 }

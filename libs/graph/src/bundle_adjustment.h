@@ -23,7 +23,8 @@ struct AdjustmentWindow {
 [[nodiscard]] AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest,
                                            const BundleAdjustmentOptions& options);
 
-/// Everything in one submap; its first keyframe holds still where nothing is held.
+/// Everything in one submap. What is settled and sees what moves holds still, or else the first keyframe, where nothing
+/// is held.
 [[nodiscard]] AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap);
 
 /// Least squares over all sightings in the window, reprojection and depth, and the floors its keyframes stand on

@@ -3,35 +3,69 @@
 #include <algorithm>
 
 namespace wardslam::graph {
+namespace {
+
+/// As if the image had measured how far away the point is that is known to lie there.
+core::Keypoint withDepthOf(const Eigen::Vector3d& p_map_m, core::Keypoint keypoint,
+                           const Eigen::Isometry3d& T_map_cam) {
+  keypoint.depth_m = static_cast<float>((T_map_cam.inverse() * p_map_m).z());
+  return keypoint;
+}
+
+}  // namespace
 
 void KeyframeGraph::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
   const auto previous = keyframes_.find(keyframe->id - 1);
   const bool follows = previous != keyframes_.end() && previous->second.submap == currentSubmapOf(*keyframe);
-  insertAt(keyframe, follows ? previous->second.T_map_cam * keyframe->T_previous_cam : keyframe->T_map_cam);
+  insertAt(keyframe, follows ? previous->second.T_map_cam * keyframe->T_previous_cam : keyframe->T_map_cam, {});
 }
 
 void KeyframeGraph::restore(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                             const std::map<PointId, Eigen::Vector3d>& p_map_m) {
-  insertAt(keyframe, keyframe->T_map_cam);
-  keyframes_.at(keyframe->id).isRestored = true;
-  for (const auto& [point, keypoint] : keyframes_.at(keyframe->id).keypointOf) {
+  insertAt(keyframe, keyframe->T_map_cam, p_map_m);
+  KeyframeNode& node = keyframes_.at(keyframe->id);
+  node.isRestored = node.isSettled = true;
+  for (const auto& [point, keypoint] : node.keypointOf) {
     if (const auto known = p_map_m.find(point); known != p_map_m.end()) setPosition(point, known->second);
   }
 }
 
 void KeyframeGraph::hold() {
-  for (auto& [id, node] : keyframes_) node.isHeld = true;
+  for (auto& [id, node] : keyframes_) {
+    node.isHeld = true;
+    node.isSettled = false;
+  }
   for (auto& [id, node] : points_) node.isHeld = true;
 }
 
+bool KeyframeGraph::isAnySettled(std::uint32_t submap) const {
+  return std::any_of(keyframes_.begin(), keyframes_.end(), [submap](const auto& keyframe) {
+    return keyframe.second.submap == submap && keyframe.second.isSettled;
+  });
+}
+
+void KeyframeGraph::unsettle(std::uint32_t submap) {
+  for (auto& [id, node] : keyframes_) {
+    if (node.submap == submap) unsettle(id, node);
+  }
+}
+
+void KeyframeGraph::unsettle(KeyframeId id, KeyframeNode& node) {
+  if (trial_ && node.isSettled) trial_->settled.insert(id);
+  node.isSettled = false;
+}
+
+/// A point is made where it is known to lie, or from the key point's depth.
 void KeyframeGraph::insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe,
-                             const Eigen::Isometry3d& T_map_cam) {
+                             const Eigen::Isometry3d& T_map_cam, const std::map<PointId, Eigen::Vector3d>& p_map_m) {
   KeyframeNode node{keyframe, T_map_cam, {}, currentSubmapOf(*keyframe)};
   for (const auto& [seenAs, keypointIndex] : keyframe->sightings) {
     const PointId id = currentIdOf(seenAs);
-    const auto& keypoint = keyframe->features.keypoints[keypointIndex];
+    core::Keypoint keypoint = keyframe->features.keypoints[keypointIndex];
     const auto descriptor = odometry::descriptorOf(keyframe->features, keypointIndex);
     const auto known = points_.find(id);
+    const auto place = p_map_m.find(id);
+    if (!keypoint.hasDepth() && place != p_map_m.end()) keypoint = withDepthOf(place->second, keypoint, T_map_cam);
     if (known != points_.end()) {
       odometry::describeFrom(known->second.point, keypoint, descriptor, node.T_map_cam);
       known->second.seenBy.insert(keyframe->id);
@@ -128,6 +162,7 @@ void KeyframeGraph::joinSubmaps(std::uint32_t from, std::uint32_t into) {
     if (node.submap != from) continue;
     if (trial_) trial_->submap.emplace(id, node.submap);
     node.submap = into;
+    unsettle(id, node);
   }
   for (auto& [submap, joined] : joinedInto_) {
     if (joined == from) joined = into;
@@ -162,6 +197,7 @@ void KeyframeGraph::takeBack() {
   for (const auto& [id, point] : before.moved) points_.at(id).point = point;
   for (auto& [id, sightings] : before.keypointOf) keyframes_.at(id).keypointOf = std::move(sightings);
   for (const auto& [id, submap] : before.submap) keyframes_.at(id).submap = submap;
+  for (const KeyframeId id : before.settled) keyframes_.at(id).isSettled = true;
   for (const auto& [id, T_map_cam] : before.T_map_cam) keyframes_.at(id).T_map_cam = T_map_cam;
 }
 

@@ -9,6 +9,11 @@
 namespace wardslam::graph {
 namespace {
 
+/// Of two that may be wrong, the new way alone bends as long as that is likely. And what one look is off by.
+constexpr double kLikely = 2.0;  // standard deviations
+constexpr double kLook_m = 0.05;
+constexpr double kLook_rad = 0.02;
+
 using odometry::Match;
 using odometry::PointObservation;
 
@@ -82,6 +87,16 @@ odometry::DepthAgreement depthAgreement(const KeyframeGraph& graph, const Loop& 
     agreement.count(lookUp(*newer.depth, newer.camera, T_newer_map * graph.points().at(id).point.p_map_m));
   }
   return agreement;
+}
+
+/// Whether the newer keyframe can be off by what the loop asks for.
+bool isExplained(const KeyframeGraph& graph, const Loop& loop, const std::optional<WayUncertainty>& uncertainty,
+                 const LoopVerificationOptions& options) {
+  const Eigen::Isometry3d& T_map_newer = graph.keyframes().at(loop.newer).T_map_cam;
+  const Eigen::Isometry3d T_map_seen = graph.keyframes().at(loop.older).T_map_cam * loop.T_older_newer;
+  const Eigen::Isometry3d correction = T_map_seen * T_map_newer.inverse();
+  return uncertainty && uncertainty->explains(T_map_seen.translation() - T_map_newer.translation(),
+                                              Eigen::AngleAxisd(correction.linear()).angle(), options);
 }
 
 /// What the newer keyframe holds for one point, and the place for another.
@@ -160,11 +175,17 @@ bool LoopVerification::isPlausible(const KeyframeGraph& graph, const Loop& loop,
   const KeyframeNode& older = graph.keyframes().at(loop.older);
   const KeyframeNode& newer = graph.keyframes().at(loop.newer);
   if (older.submap != newer.submap) return isWithinReach(graph, loop, options_);
-  const Eigen::Isometry3d T_map_newer = older.T_map_cam * loop.T_older_newer;
-  const auto uncertainty = uncertaintyOfWay(graph, closed, loop.older, loop.newer, options_);
-  const Eigen::Isometry3d correction = T_map_newer * newer.T_map_cam.inverse();
-  return uncertainty && uncertainty->explains(T_map_newer.translation() - newer.T_map_cam.translation(),
-                                              Eigen::AngleAxisd(correction.linear()).angle(), options_);
+  return isExplained(graph, loop, uncertaintyOfWay(graph, closed, loop.older, loop.newer, options_), options_);
+}
+
+bool LoopVerification::leavesTheSettled(const KeyframeGraph& graph, const Loop& loop,
+                                        const std::vector<Loop>& closed) const {
+  LoopVerificationOptions options = options_;
+  options.gate_sigmas = kLikely;
+  options.min_drift_m = kLook_m;
+  options.min_drift_rad = kLook_rad;
+  const auto uncertainty = uncertaintyOfWay(graph, closed, loop.older, loop.newer, options, Drifting::Unsettled);
+  return isExplained(graph, loop, uncertainty, options);
 }
 
 }  // namespace wardslam::graph

@@ -229,10 +229,43 @@ bool Mapper::isBelievable(const Loop& loop) {
 
 /// Whatever does not fit in the end is taken back whole, before anybody hears of it.
 bool Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
-  if (!agreesInDepth(loops.front())) {
+  std::optional<odometry::MapUpdate> closing;
+  if (agreesInDepth(loops.front())) {
+    if (leavesTheSettled(loops.front())) closing = closeWith(loops, Bent::TheUnsettled, stop);
+    if (!closing) closing = closeWith(loops, Bent::All, stop);
+  }
+  if (!closing) {
     ++loopsTakenBack_;
     return false;
   }
+  ++loopsClosed_;
+  if (closing->joined) ++submapsJoined_;
+  update.movesTheMap = true;
+  update.joined = closing->joined;
+  update.fusedPoints = std::move(closing->fusedPoints);
+  update.removedPoints.insert(update.removedPoints.end(), closing->removedPoints.begin(), closing->removedPoints.end());
+  update.p_map_m.clear();  // with them the points fused away
+  describe(graph_, graph_.keyframes().at(loops.front().newer).submap, update);
+  for (const Loop& loop : loops) {
+    for (const KeyframeId id : loop.place) {
+      if (graph_.keyframes().count(id) != 0) recall(id, update);
+    }
+  }
+  return true;
+}
+
+/// Whether there is anything settled, and a loop may do without bending it.
+bool Mapper::leavesTheSettled(const Loop& loop) const {
+  if (options_.pose_graph.solver == PoseGraphSolver::Levmarq) return false;  // holds nothing still
+  const std::uint32_t older = graph_.keyframes().at(loop.older).submap;
+  const std::uint32_t newer = graph_.keyframes().at(loop.newer).submap;
+  if (!graph_.isAnySettled(older) && !graph_.isAnySettled(newer)) return false;
+  return older != newer || verification_.leavesTheSettled(graph_, loop, loops_);
+}
+
+/// What it joined, fused and removed; nothing where it does not fit: then all is as before.
+std::optional<odometry::MapUpdate> Mapper::closeWith(const std::vector<Loop>& loops, Bent bent,
+                                                     const std::atomic<bool>* stop) {
   graph_.beginTrial();
   const odometry::Pieces piecesBefore = pieces_;
   const std::size_t loopsBefore = loops_.size();
@@ -240,33 +273,21 @@ bool Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop
   odometry::MapUpdate closing;
   closing.joined = joinSubmaps(loops.front());
   const std::uint32_t piece = graph_.keyframes().at(loops.front().newer).submap;
+  if (bent == Bent::All) graph_.unsettle(piece);
   const Steps steps = tiedSteps(graph_, piece, options_.pose_graph.min_shared_points);
   optimisePoses(piece);
   for (const Loop& loop : loops) fuse(loop, closing);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
-  const auto adjusted = adjust(graph_, globalWindow(graph_, piece), adjustment, adjustment.global_iterations, stop);
+  auto adjusted = adjust(graph_, globalWindow(graph_, piece), adjustment, adjustment.global_iterations, stop);
   if (!fit(graph_, steps, loops_, options_.loop_confirmation)) {
     graph_.takeBack();
     pieces_ = piecesBefore;
     loops_.resize(loopsBefore);
-    ++loopsTakenBack_;
-    return false;
+    return std::nullopt;
   }
   graph_.endTrial();
-  ++loopsClosed_;
-  if (closing.joined) ++submapsJoined_;
-  update.movesTheMap = true;
-  update.joined = closing.joined;
-  update.fusedPoints = std::move(closing.fusedPoints);
-  update.removedPoints.insert(update.removedPoints.end(), adjusted.removedPoints.begin(), adjusted.removedPoints.end());
-  update.p_map_m.clear();  // with them the points fused away
-  describe(graph_, piece, update);
-  for (const Loop& loop : loops) {
-    for (const KeyframeId id : loop.place) {
-      if (graph_.keyframes().count(id) != 0) recall(id, update);
-    }
-  }
-  return true;
+  closing.removedPoints = std::move(adjusted.removedPoints);
+  return closing;
 }
 
 /// All that two pieces saw of each other's surfaces, and not only where they were found to meet, must be there.
@@ -323,11 +344,11 @@ void Mapper::optimisePoses(std::uint32_t submap) {
   std::set<std::pair<KeyframeId, KeyframeId>> loopEdges;
   for (const Loop& loop : loops_) loopEdges.emplace(loop.older, loop.newer);
   std::set<KeyframeId> held;
-  for (const auto& [id, pose] : poses.nodes) {
-    if (isHeld(id)) held.insert(id);
-  }
   std::set<KeyframeId> nodes;
-  for (const auto& [id, pose] : poses.nodes) nodes.insert(id);
+  for (const auto& [id, pose] : poses.nodes) {
+    nodes.insert(id);
+    if (isHeld(id) || graph_.keyframes().at(id).isSettled) held.insert(id);
+  }
   optimise(poses, loopEdges, held, options_.pose_graph, FloorTies(graph_, nodes));
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
   for (const auto& [id, pose] : poses.nodes) {

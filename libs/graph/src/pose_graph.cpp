@@ -82,7 +82,7 @@ void optimiseWithCeres(PoseGraph& poses, const std::set<std::pair<KeyframeId, Ke
     return pose == variables.end() ? nullptr : pose->second.data();
   };
   floors.addTo(problem, PoseKind::MapFromCam, poseOf, kFloorWeight);
-  constant.insert(poses.root);
+  if (constant.empty()) constant.insert(poses.root);
   bool isAnchored = false;
   for (const KeyframeId id : constant) {
     const auto pose = variables.find(id);

@@ -21,9 +21,9 @@ using PoseGraph = mrpt::graphs::CNetworkOfPoses3DInf;
 [[nodiscard]] PoseGraph makePoseGraph(const KeyframeGraph& graph, std::uint32_t submap, const std::vector<Loop>& loops,
                                       const PoseGraphOptions& options);
 
-/// Moves all nodes but the root and those of `held` so that the edges agree best. `loopEdges` are bent by a robust
-/// kernel when they do not fit the rest, held nodes hold still, and what stands on one floor stays on it (all Ceres
-/// only).
+/// Moves all nodes but those of `held`, or else the root, so that the edges agree best. `loopEdges` are bent by a
+/// robust kernel when they do not fit the rest, held nodes hold still, and what stands on one floor stays on it (all
+/// Ceres only).
 void optimise(PoseGraph& poses, const std::set<std::pair<KeyframeId, KeyframeId>>& loopEdges,
               const std::set<KeyframeId>& held, const PoseGraphOptions& options, const FloorTies& floors = {});
 

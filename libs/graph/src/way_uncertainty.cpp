@@ -13,18 +13,20 @@ constexpr std::size_t kTiedByPoints = 15;
 
 using Steps = std::vector<std::pair<KeyframeId, double>>;
 
-double lengthBetween_m(const KeyframeNode& a, const KeyframeNode& b) {
+double lengthBetween_m(const KeyframeNode& a, const KeyframeNode& b, Drifting drifting) {
+  if (drifting == Drifting::Unsettled && a.isSettled && b.isSettled) return 0.0;
   const Eigen::Isometry3d T_a_b = a.T_map_cam.inverse() * b.T_map_cam;
   return T_a_b.translation().norm() + kMetresPerRadian * Eigen::AngleAxisd(T_a_b.linear()).angle();
 }
 
 /// Where one can go from a keyframe, and how far it is.
-Steps stepsFrom(const KeyframeGraph& graph, const std::multimap<KeyframeId, KeyframeId>& loopEnds, KeyframeId from) {
+Steps stepsFrom(const KeyframeGraph& graph, const std::multimap<KeyframeId, KeyframeId>& loopEnds, KeyframeId from,
+                Drifting drifting) {
   const auto& keyframes = graph.keyframes();
   const auto here = keyframes.find(from);
   Steps steps;
   const auto add = [&](KeyframeId id, const KeyframeNode& node) {
-    if (node.submap == here->second.submap) steps.emplace_back(id, lengthBetween_m(here->second, node));
+    if (node.submap == here->second.submap) steps.emplace_back(id, lengthBetween_m(here->second, node, drifting));
   };
   if (here != keyframes.begin()) add(std::prev(here)->first, std::prev(here)->second);
   if (const auto next = std::next(here); next != keyframes.end()) add(next->first, next->second);
@@ -39,7 +41,7 @@ Steps stepsFrom(const KeyframeGraph& graph, const std::multimap<KeyframeId, Keyf
 
 /// The shortest way, both ends included (Dijkstra); empty: none.
 std::vector<KeyframeId> shortestWay(const KeyframeGraph& graph, const std::vector<Loop>& loops, KeyframeId from,
-                                    KeyframeId to) {
+                                    KeyframeId to, Drifting drifting) {
   std::multimap<KeyframeId, KeyframeId> loopEnds;
   for (const Loop& loop : loops) {
     loopEnds.emplace(loop.older, loop.newer);
@@ -61,7 +63,7 @@ std::vector<KeyframeId> shortestWay(const KeyframeGraph& graph, const std::vecto
     if (best.isFinal) continue;
     best.isFinal = true;
     if (here == to) break;
-    for (const auto& [next, step_m] : stepsFrom(graph, loopEnds, here)) {
+    for (const auto& [next, step_m] : stepsFrom(graph, loopEnds, here, drifting)) {
       const Reached there{best.length_m + step_m, here, false};
       const auto [known, isNew] = reached.emplace(next, there);
       if (!isNew && (known->second.isFinal || known->second.length_m <= there.length_m)) continue;
@@ -89,8 +91,9 @@ bool WayUncertainty::explains(const Eigen::Vector3d& position_m, double rotation
 }
 
 std::optional<WayUncertainty> uncertaintyOfWay(const KeyframeGraph& graph, const std::vector<Loop>& loops,
-                                               KeyframeId from, KeyframeId to, const LoopVerificationOptions& options) {
-  const auto way = shortestWay(graph, loops, from, to);
+                                               KeyframeId from, KeyframeId to, const LoopVerificationOptions& options,
+                                               Drifting drifting) {
+  const auto way = shortestWay(graph, loops, from, to, drifting);
   if (way.empty()) return std::nullopt;
   const auto& keyframes = graph.keyframes();
   const Eigen::Vector3d end_m = keyframes.at(to).T_map_cam.translation();
@@ -98,7 +101,7 @@ std::optional<WayUncertainty> uncertaintyOfWay(const KeyframeGraph& graph, const
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     const KeyframeNode& here = keyframes.at(way[i]);
     const KeyframeNode& there = keyframes.at(way[i + 1]);
-    const double length_m = lengthBetween_m(here, there);
+    const double length_m = lengthBetween_m(here, there, drifting);
     const double position_m2 = options.position_drift * options.position_drift * length_m;
     const double rotation_rad2 = options.rotation_drift_rad * options.rotation_drift_rad * length_m;
     const Eigen::Vector3d arm_m = end_m - there.T_map_cam.translation();

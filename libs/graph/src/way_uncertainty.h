@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,12 @@
 #include "wardslam/graph/loop_verification.h"
 
 namespace wardslam::graph {
+
+/// Which keyframes may have drifted.
+enum class Drifting : std::uint8_t {
+  All,
+  Unsettled,  ///< Those that are settled (KeyframeNode) stand to each other as they should: no step between two counts.
+};
 
 /// How well the map knows where one keyframe is, seen from another: one standard deviation squared, in the map's axes.
 struct WayUncertainty {
@@ -25,6 +32,7 @@ struct WayUncertainty {
 /// distance from where it was made. Nothing: no way leads from one to the other.
 [[nodiscard]] std::optional<WayUncertainty> uncertaintyOfWay(const KeyframeGraph& graph, const std::vector<Loop>& loops,
                                                              KeyframeId from, KeyframeId to,
-                                                             const LoopVerificationOptions& options);
+                                                             const LoopVerificationOptions& options,
+                                                             Drifting drifting = Drifting::All);
 
 }  // namespace wardslam::graph

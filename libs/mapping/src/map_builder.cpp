@@ -26,6 +26,8 @@ constexpr float kUnclassifiedWeight = 0.25F;
 /// One record of two, when it is more probable than all else together.
 constexpr double kSurelyOne = 0.5;
 
+constexpr double kRounding = 1e-9;  // of products of poses
+
 }  // namespace
 
 class MapBuilder::Impl {
@@ -159,20 +161,24 @@ std::map<KeyframeId, Eigen::Isometry3d> MapBuilder::Impl::withYounger(const odom
 void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
   for (const auto& [id, pose] : T_map_cam) {
     const auto keyframe = keyframes_.find(id);
-    if (keyframe == keyframes_.end()) continue;
+    if (keyframe == keyframes_.end() || keyframe->second.T_map_cam.matrix() == pose.matrix()) continue;
     keyframe->second.T_map_cam = pose;
     changes_.keyframes.insert(id);
   }
   for (auto& [piece, part] : parts_) part.touched.merge(part.cloud.movePoses(T_map_cam));
 }
 
-/// The heir saw the same floor free.
+/// The heir saw the same floor free. It stands where the graph has it: what that says of the removed one's place, but
+/// for rounding, is known, and rounding is no move.
 void MapBuilder::Impl::remove(const odometry::RemovedKeyframe& removed) {
   const auto keyframe = keyframes_.find(removed.id);
   const auto heir = keyframes_.find(removed.heir);
   if (keyframe == keyframes_.end() || heir == keyframes_.end()) return;
   Part& part = this->part(keyframe->second.piece);
-  part.touched.merge(part.cloud.movePoses({{removed.id, heir->second.T_map_cam * removed.T_heir_cam}}));
+  const Eigen::Isometry3d T_map_cam = heir->second.T_map_cam * removed.T_heir_cam;
+  if (!T_map_cam.isApprox(keyframe->second.T_map_cam, kRounding)) {
+    part.touched.merge(part.cloud.movePoses({{removed.id, T_map_cam}}));
+  }
   part.cloud.moveTile(removed.id, removed.heir);
   keyframes_.erase(keyframe);
   pieces_.remove(removed.id);

@@ -2,9 +2,11 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <algorithm>
 #include <array>
 
 #include "blob_codecs.h"
+#include "map_reading.h"
 #include "map_rows.h"
 
 namespace wardslam::storage {
@@ -217,7 +219,7 @@ void removeKeyframes(SQLite::Database& database, const MapChanges& changes) {
 }
 
 void replaceGraph(SQLite::Database& database, const GraphContent& graph) {
-  database.exec("DELETE FROM sightings; DELETE FROM points; DELETE FROM edges WHERE kind = 'loop'");
+  database.exec("DELETE FROM sightings; DELETE FROM points");
   SQLite::Statement pointRow(database, "INSERT INTO points VALUES (?, ?,?,?)");
   for (const auto& [point, p_map_m] : graph.p_map_m) (ParameterBinder(pointRow) << point << p_map_m).run();
   SQLite::Statement sightingRow(database, "INSERT INTO sightings VALUES (?,?,?)");
@@ -225,6 +227,27 @@ void replaceGraph(SQLite::Database& database, const GraphContent& graph) {
     for (const auto& [point, keypoint] : sightings) {
       (ParameterBinder(sightingRow) << keyframe << point << std::uint64_t{keypoint}).run();
     }
+  }
+}
+
+bool isAmong(const LoopEdge& loop, const std::vector<LoopEdge>& loops) {
+  return std::any_of(loops.begin(), loops.end(), [&loop](const LoopEdge& other) {
+    return loop.from == other.from && loop.to == other.to && loop.inliers == other.inliers &&
+           loop.T_from_to.matrix() == other.T_from_to.matrix();
+  });
+}
+
+/// A loop that is there already stays as it stands: what is read and written again is off by rounding, a bit more in
+/// every run.
+void writeLoops(SQLite::Database& database, const MapChanges& changes) {
+  if (!changes.graph && changes.loops.empty()) return;
+  const auto before = readLoops(database);
+  SQLite::Statement remove(database, "DELETE FROM edges WHERE kind = 'loop' AND from_keyframe = ? AND to_keyframe = ?");
+  for (const auto& loop : before) {
+    if (changes.graph && !isAmong(loop, changes.loops)) (ParameterBinder(remove) << loop.from << loop.to).run();
+  }
+  for (const auto& loop : changes.loops) {
+    if (!isAmong(loop, before)) writeEdge(database, "loop", loop);
   }
 }
 
@@ -354,7 +377,7 @@ void writeChanges(SQLite::Database& database, const MapChanges& changes) {
   writePoints(database, changes);
   removeKeyframes(database, changes);
   if (changes.graph) replaceGraph(database, *changes.graph);
-  for (const auto& loop : changes.loops) writeEdge(database, "loop", loop);
+  writeLoops(database, changes);
   writeCloud(database, changes);
   removeObjects(database, changes);
   writeObjects(database, changes);

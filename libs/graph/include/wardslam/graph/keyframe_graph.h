@@ -24,6 +24,7 @@ struct KeyframeNode {
   std::uint32_t submap = 0;                   ///< Keyframes of one submap share a map frame.
   bool isHeld = false;                        ///< Stays as it is, see KeyframeGraph::hold().
   bool isRestored = false;                    ///< Of an earlier run.
+  bool isSettled = false;                     ///< Stays where an earlier run left it, see KeyframeGraph::unsettle().
   KeyframeId floor = 0;  ///< The floor it stands on, by a keyframe that stood there first; 0: none known.
 };
 
@@ -40,13 +41,19 @@ class KeyframeGraph {
   /// Places the keyframe relative to the one before it. Points not known yet are made from their key point's depth.
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
 
-  /// A keyframe of an earlier run, at the pose it carries; its points lie where `p_map_m` says.
+  /// A keyframe of an earlier run, at the pose it carries; its points lie where `p_map_m` says, whether this keyframe
+  /// measured their depth or not. It is settled: what comes is fitted to it, and it does not move for that.
   void restore(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                const std::map<PointId, Eigen::Vector3d>& p_map_m);
 
   /// What is there by now is known for good: whoever changes the graph leaves its poses and positions as they are and
-  /// removes none of it. It can be recognised, and what comes can be tied to it.
+  /// removes none of it, which is more than being settled. It can be recognised, and what comes can be tied to it.
   void hold();
+
+  [[nodiscard]] bool isAnySettled(std::uint32_t submap) const;
+
+  /// What earlier runs settled in this submap is adjusted with the rest from now on.
+  void unsettle(std::uint32_t submap);
 
   [[nodiscard]] const std::map<KeyframeId, KeyframeNode>& keyframes() const { return keyframes_; }
   [[nodiscard]] const std::map<PointId, PointNode>& points() const { return points_; }
@@ -66,11 +73,12 @@ class KeyframeGraph {
   /// `from` turned out to be `into`: its sightings become the other's, also those in keyframes to come.
   void fuse(PointId from, PointId into);
 
-  /// All keyframes of one submap now belong to the other; poses are not touched.
+  /// All keyframes of one submap now belong to the other, in whose frame they are settled no more; poses are not
+  /// touched.
   void joinSubmaps(std::uint32_t from, std::uint32_t into);
 
-  /// What follows is a trial: poses, positions, sightings removed, points fused and submaps joined can be taken back
-  /// whole. Costs what is changed, not what is there. No keyframe comes or goes meanwhile.
+  /// What follows is a trial: poses, positions, sightings removed, points fused, submaps joined and what is unsettled
+  /// can be taken back whole. Costs what is changed, not what is there. No keyframe comes or goes meanwhile.
   void beginTrial();
   void endTrial() { trial_.reset(); }  ///< What was changed stays.
   void takeBack();                     ///< All is as it was when the trial began.
@@ -80,6 +88,7 @@ class KeyframeGraph {
   struct Trial {
     std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
     std::map<KeyframeId, std::uint32_t> submap;
+    std::set<KeyframeId> settled;
     std::map<KeyframeId, std::map<PointId, std::size_t>> keypointOf;
     std::map<PointId, odometry::MapPoint> moved;
     std::map<PointId, PointNode> points;
@@ -87,10 +96,12 @@ class KeyframeGraph {
     std::map<std::uint32_t, std::uint32_t> joinedInto;
   };
 
+  void unsettle(KeyframeId id, KeyframeNode& node);
   void keepSightings(KeyframeId id);
   void keep(PointId id);
   void keepPlace(PointId id);
-  void insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe, const Eigen::Isometry3d& T_map_cam);
+  void insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe, const Eigen::Isometry3d& T_map_cam,
+                const std::map<PointId, Eigen::Vector3d>& p_map_m);
   [[nodiscard]] std::uint32_t currentSubmapOf(const odometry::Keyframe& keyframe) const;
   [[nodiscard]] PointId currentIdOf(PointId id) const;
 

@@ -49,6 +49,11 @@ class LoopVerification {
   /// Whether the camera can be where the loop says it is: by drift since, and between pieces by time.
   [[nodiscard]] bool isPlausible(const KeyframeGraph& graph, const Loop& loop, const std::vector<Loop>& closed) const;
 
+  /// Whether a loop within one piece asks for no more than what is not settled can have drifted by, so that what is
+  /// settled may stay where it is.
+  [[nodiscard]] bool leavesTheSettled(const KeyframeGraph& graph, const Loop& loop,
+                                      const std::vector<Loop>& closed) const;
+
  private:
   LoopVerificationOptions options_;
   odometry::Matcher matcher_;

@@ -25,8 +25,10 @@ class Lookalikes;
 
 /// What is done with the keyframes of an earlier run.
 enum class Saved {
-  MayChange,  ///< They are adjusted and given up as others are.
-  IsHeld,     ///< They and their points stay as they are to the last bit; what comes is fitted to them.
+  /// They stay where that run left them as long as what this run adds can be fitted to them: a loop that asks for more
+  /// has all adjusted. So is a piece that is joined to another. What shows nothing that others do not is given up.
+  MayChange,
+  IsHeld,  ///< They and their points stay as they are to the last bit; what comes is fitted to them.
 };
 
 /// Keeps the map of keyframes right as it grows: local bundle adjustment after every keyframe; where an old place is
@@ -66,6 +68,9 @@ class Mapper {
   odometry::MapUpdate adjustAll();
 
  private:
+  /// What a loop may bend to fit: what is settled is the last to give way.
+  enum class Bent { TheUnsettled, All };
+
   void findFloorOf(KeyframeId id);
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
   void cullKeyframes(KeyframeId newest, odometry::MapUpdate& update);
@@ -75,6 +80,9 @@ class Mapper {
   [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest);
   [[nodiscard]] bool isBelievable(const Loop& loop);
   bool close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update);
+  [[nodiscard]] bool leavesTheSettled(const Loop& loop) const;
+  std::optional<odometry::MapUpdate> closeWith(const std::vector<Loop>& loops, Bent bent,
+                                               const std::atomic<bool>* stop);
   [[nodiscard]] bool agreesInDepth(const Loop& join) const;
   [[nodiscard]] odometry::SubmapJoin directionOf(std::uint32_t piece, std::uint32_t other) const;
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
