@@ -25,6 +25,13 @@ class ReachTest : public ::testing::Test {
     return graph::isWithinReach(graph_, loop, options_);
   }
 
+  /// The newest keyframe began its piece at x = 0, and that was `x_m` from the first one.
+  [[nodiscard]] double ambiguity_m(double x_m) const {
+    const KeyframeId newest = graph_.keyframes().rbegin()->first;
+    const Loop loop{1, newest, makePose({x_m, 0, 0}) * graph_.keyframes().at(newest).T_map_cam, 100, {}, {1}};
+    return graph::ambiguity_m(graph_, loop, options_);
+  }
+
   LoopVerificationOptions options_;
   KeyframeGraph graph_;
 
@@ -73,33 +80,35 @@ TEST_F(ReachTest, AStretchInBetweenLeadsNoLessFarThanItLed) {
   EXPECT_FALSE(isWithinReach(0.0)) << "where it began is one room, and this is another that looks the same";
 }
 
-TEST_F(ReachTest, KnowsHowFarItWentUnseen) {
+TEST_F(ReachTest, WentUnseenAnywhereAtTheSpeedThatItIsSeenToGoWith) {
   go(0.0);
-  go(2.0);
-  const auto lost_m = [&] {
-    return lostBetween_m(graph_, {1, graph_.keyframes().rbegin()->first, Eigen::Isometry3d::Identity(), 100, {}, {1}},
-                         options_);
-  };
   loseAndGo(4.0);
-  EXPECT_NEAR(lost_m(), 7.0, 1e-9);
-  loseAndGo(2.0);
-  EXPECT_NEAR(lost_m(), 11.0, 1e-9) << "what it tracked in between is no gap";
+  EXPECT_NEAR(ambiguity_m(-9.0), 6.0, 1e-9) << "it stood: 1 m and 0.5 m/s, to all sides";
+  go(0.6);
+  EXPECT_NEAR(ambiguity_m(-9.0), 9.2, 1e-9) << "half as fast again as 0.6 m/s";
+  go(0.3, 0.1);
+  EXPECT_NEAR(ambiguity_m(-9.0), 9.2, 1e-9) << "so short a step tells of noise";
+  go(2.0);
+  EXPECT_NEAR(ambiguity_m(-9.0), 14.0, 1e-9) << "max_speed_mps";
 }
 
-TEST_F(ReachTest, WentUnseenAtTheSpeedThatItIsSeenToGoWith) {
-  const auto lost_m = [&] {
-    return lostBetween_m(graph_, {1, graph_.keyframes().rbegin()->first, Eigen::Isometry3d::Identity(), 100, {}, {1}},
-                         options_);
-  };
+TEST_F(ReachTest, WhoGoesOnAsBeforeOrStopsIsNearTheStraightWayOn) {
   go(0.0);
+  go(0.5);
+  loseAndGo(4.0);  // 2 m, had it gone on
+  EXPECT_NEAR(ambiguity_m(2.5), 4.0, 1e-9) << "twice the margin besides";
+  EXPECT_NEAR(ambiguity_m(0.5), 4.0, 1e-9) << "it stopped";
+  EXPECT_NEAR(ambiguity_m(3.49), 4.0, 1e-9);
+  EXPECT_NEAR(ambiguity_m(3.51), 8.0, 1e-9) << "1 m and 0.75 m/s to all sides";
+  EXPECT_NEAR(ambiguity_m(-0.51), 8.0, 1e-9) << "it turned round";
+}
+
+TEST_F(ReachTest, OfTwoGapsNobodyKnowsTheWay) {
+  go(0.0);
+  go(0.5);
   loseAndGo(4.0);
-  EXPECT_NEAR(lost_m(), 3.0, 1e-9) << "it stood: 1 m and 0.5 m/s";
-  go(0.6);
-  EXPECT_NEAR(lost_m(), 4.6, 1e-9) << "half as fast again as 0.6 m/s";
-  go(0.3, 0.1);
-  EXPECT_NEAR(lost_m(), 4.6, 1e-9) << "so short a step tells of noise";
-  go(2.0);
-  EXPECT_NEAR(lost_m(), 7.0, 1e-9) << "max_speed_mps";
+  loseAndGo(2.0);
+  EXPECT_NEAR(ambiguity_m(2.5), 2 * (2.0 + 6.0 * 0.75), 1e-9) << "what it tracked in between is no gap";
 }
 
 TEST_F(ReachTest, AsksOnlyThisRun) {

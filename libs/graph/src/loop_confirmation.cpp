@@ -173,10 +173,10 @@ bool LoopConfirmation::isConfirmed(const KeyframeGraph& graph, const Hypothesis&
   return isWideEnough(graph, hypothesis) && !hasRival(graph, hypothesis);
 }
 
-/// Where the camera went unseen so far that it may be in another room that looks the same, a room is not enough.
+/// Where the camera may be in another room that looks the same, for all that is known of its way, a room is not enough.
 bool LoopConfirmation::isWideEnough(const KeyframeGraph& graph, const Hypothesis& hypothesis) const {
   const Loop& last = hypothesis.back();
-  if (!joins(graph, last) || lostBetween_m(graph, last, verification_) <= kLeastDouble_m) return true;
+  if (!joins(graph, last) || ambiguity_m(graph, last, verification_) <= kLeastDouble_m) return true;
   const auto isFar = [&](const Loop& a, const Loop& b) {
     const Eigen::Vector3d way_m =
         graph.keyframes().at(a.newer).T_map_cam.translation() - graph.keyframes().at(b.newer).T_map_cam.translation();

@@ -38,6 +38,10 @@ class Reach {
 
   /// If it went unseen as fast as this.
   [[nodiscard]] double lost_m(double speed_mps) const { return gaps_ * options_.lost_margin_m + speed_mps * lost_s_; }
+  /// Nothing where it was found again in between.
+  [[nodiscard]] std::optional<double> lostInOneGo_s() const {
+    return gaps_ == 1 ? std::optional(lost_s_) : std::nullopt;
+  }
   [[nodiscard]] double most_m() const { return before_m_ + stretch_m() + lost_m_; }
   /// All the others may lead back along the longest stretch.
   [[nodiscard]] double least_m() const { return 2 * std::max(longestBefore_m_, stretch_m()) - most_m(); }
@@ -74,47 +78,77 @@ double usualSpeed_mps(const KeyframeGraph& graph, double most_mps) {
   return std::min(fastest_mps, most_mps);
 }
 
-/// Calls for every keyframe of one of the loop's pieces that comes after one of the other, with the reach from there.
+/// As the camera went at a keyframe; 0 where it was not tracked for long enough to tell.
+Eigen::Vector3d velocityAt_mps(const KeyframeGraph& graph, const KeyframeNode& at) {
+  for (auto before = graph.keyframes().find(at.keyframe->id); before != graph.keyframes().begin();) {
+    const KeyframeNode& node = (--before)->second;
+    if (node.submap != at.submap || node.keyframe->submap != at.keyframe->submap) break;
+    const double since_s = at.keyframe->stamp_s - node.keyframe->stamp_s;
+    if (since_s >= kLeastTime_s) return (at.T_map_cam.translation() - node.T_map_cam.translation()) / since_s;
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+/// From a keyframe of one of the loop's pieces to the next one of the other, in the older one's frame.
+struct Crossing {
+  Eigen::Vector3d way_m;         ///< By the loop.
+  Eigen::Vector3d velocity_mps;  ///< When it began.
+  const Reach& reach;            ///< From there.
+};
+
 template <class Visit>
 void forEachCrossing(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options,
                      const Visit& visit) {
-  const std::uint32_t older = graph.keyframes().at(loop.older).submap;
-  const std::uint32_t newer = graph.keyframes().at(loop.newer).submap;
+  const KeyframeNode& older = graph.keyframes().at(loop.older);
+  const KeyframeNode& newer = graph.keyframes().at(loop.newer);
+  const Eigen::Isometry3d T_older_newer = older.T_map_cam * loop.T_older_newer * newer.T_map_cam.inverse();
+  const auto T_older = [&](const KeyframeNode& node) {
+    return node.submap == newer.submap ? T_older_newer : Eigen::Isometry3d::Identity();
+  };
   Reach reach(options);
   const KeyframeNode* before = nullptr;
   for (const auto& [id, node] : graph.keyframes()) {
     if (node.isRestored) continue;
     reach.goOnTo(node);
-    if (node.submap != older && node.submap != newer) continue;
-    if (before != nullptr && before->submap != node.submap) visit(*before, node, reach);
+    if (node.submap != older.submap && node.submap != newer.submap) continue;
+    if (before != nullptr && before->submap != node.submap) {
+      const Eigen::Vector3d way_m =
+          T_older(node) * node.T_map_cam.translation() - T_older(*before) * before->T_map_cam.translation();
+      visit(Crossing{way_m, T_older(*before).linear() * velocityAt_mps(graph, *before), reach});
+    }
     before = &node;
     reach.startFrom(node);
   }
 }
 
+/// Who goes on as before, or stops on the way, is near the straight way on; else it may be anywhere around.
+double ambiguity_m(const Crossing& crossing, double speed_mps, const LoopVerificationOptions& options) {
+  const double anywhere_m = 2 * crossing.reach.lost_m(speed_mps);
+  const auto lost_s = crossing.reach.lostInOneGo_s();
+  if (!lost_s) return anywhere_m;
+  const Eigen::Vector3d halfWay_m = 0.5 * *lost_s * crossing.velocity_mps;
+  const double radius_m = halfWay_m.norm() + options.lost_margin_m;
+  const bool wentOn = (crossing.way_m - halfWay_m).norm() <= radius_m;
+  return wentOn ? std::min(anywhere_m, 2 * radius_m) : anywhere_m;
+}
+
 }  // namespace
 
-double lostBetween_m(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options) {
+double ambiguity_m(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options) {
   const double speed_mps = usualSpeed_mps(graph, options.max_speed_mps);
   std::optional<double> least_m;
-  forEachCrossing(graph, loop, options, [&](const KeyframeNode&, const KeyframeNode&, const Reach& reach) {
-    least_m = std::min(least_m.value_or(reach.lost_m(speed_mps)), reach.lost_m(speed_mps));
+  forEachCrossing(graph, loop, options, [&](const Crossing& crossing) {
+    const double here_m = ambiguity_m(crossing, speed_mps, options);
+    least_m = std::min(least_m.value_or(here_m), here_m);
   });
   return least_m.value_or(0.0);
 }
 
 bool isWithinReach(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options) {
-  const KeyframeNode& older = graph.keyframes().at(loop.older);
-  const KeyframeNode& newer = graph.keyframes().at(loop.newer);
-  const Eigen::Isometry3d T_older_newer = older.T_map_cam * loop.T_older_newer * newer.T_map_cam.inverse();
-  const auto position_m = [&](const KeyframeNode& node) -> Eigen::Vector3d {
-    if (node.submap == newer.submap) return T_older_newer * node.T_map_cam.translation();
-    return node.T_map_cam.translation();
-  };
   bool isWithin = true;
-  forEachCrossing(graph, loop, options, [&](const KeyframeNode& from, const KeyframeNode& to, const Reach& reach) {
-    const double way_m = (position_m(to) - position_m(from)).norm();
-    isWithin = isWithin && reach.least_m() <= way_m && way_m <= reach.most_m();
+  forEachCrossing(graph, loop, options, [&](const Crossing& crossing) {
+    const double way_m = crossing.way_m.norm();
+    isWithin = isWithin && crossing.reach.least_m() <= way_m && way_m <= crossing.reach.most_m();
   });
   return isWithin;
 }
