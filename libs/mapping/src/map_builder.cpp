@@ -11,6 +11,7 @@
 #include "recognition.h"
 #include "same_things.h"
 #include "semantic_cloud.h"
+#include "shown_tile.h"
 #include "things_in_hands.h"
 #include "usable_pixels.h"
 #include "wardslam/core/errors.h"
@@ -64,7 +65,6 @@ class MapBuilder::Impl {
   void mergeSameBoxes(Part& part);
   void reuniteMoved(Part& part);
   void describeTouched(Part& part);
-  [[nodiscard]] SemanticCloudTile publish(const Tile& tile, const Part& part) const;
 
   MappingOptions options_;
   MapSetting setting_;
@@ -314,26 +314,6 @@ void MapBuilder::Impl::reuniteMoved(Part& part) {
   changes_.objects.merge(part.table.hint(hints));
 }
 
-SemanticCloudTile MapBuilder::Impl::publish(const Tile& tile, const Part& part) const {
-  const ObjectDatabase& objects = part.objects;
-  SemanticCloudTile published;
-  for (const CloudPoint& point : tile.points) {
-    if (point.sightings < options_.cloud.min_sightings) continue;
-    if (point.sigma_m > static_cast<float>(options_.cloud.max_sigma_m)) continue;
-    SemanticPoint& p = published.points.emplace_back();
-    p.p_cam_m = point.p_cam_m;
-    for (std::size_t i = 0; i < 3; ++i) {
-      p.color_rgb[i] = cv::saturate_cast<std::uint8_t>(point.color_rgb[static_cast<Eigen::Index>(i)]);
-    }
-    p.sightings = point.sightings;
-    const auto record = objects.objects().find(point.object);
-    if (record == objects.objects().end()) continue;
-    p.classId = record->second.classId();
-    if (part.table.rows().count(point.object) > 0) p.object = point.object;
-  }
-  return published;
-}
-
 MapParts MapBuilder::Impl::everything(std::uint32_t piece) const {
   MapParts all;
   for (const auto& [id, keyframe] : keyframes_) {
@@ -386,8 +366,8 @@ SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
     const Part& part = this->part(keyframe->second.piece);
     const Tile* tile = part.cloud.find(id);
     if (tile == nullptr) continue;
-    auto published = publish(*tile, part);
-    if (!published.points.empty()) map.cloud[id] = std::move(published);
+    auto shown = shownOf(*tile, part, options_.cloud);
+    if (!shown.points.empty()) map.cloud[id] = std::move(shown);
   }
   for (const ObjectId id : parts.objects) {
     for (const auto& [piece, part] : parts_) {
