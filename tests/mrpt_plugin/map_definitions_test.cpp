@@ -14,6 +14,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
+using testing::Not;
+using testing::ThrowsMessage;
 
 mrpt::config::CConfigFileMemory iniOf(const std::string& text) {
   mrpt::config::CConfigFileMemory ini;
@@ -41,17 +43,22 @@ TEST(MapDefinitions, ACountOfNoMapIsNamedWithTheNearest) {
   EXPECT_THAT(complaint("octomap_count"), HasSubstr("'octoMap_count'"));
 }
 
+TEST(MapDefinitions, WhatAMapFindsWrongIsOneSentenceToo) {
+  const auto complaint = test::complaintOf([] {
+    return readMapDefinitions(iniOf("[m]\nCSemanticMap_count = 1\n[m_CSemanticMap_00_insertOpts]\ncloud.voxel = 0.1\n"),
+                              "m");
+  });
+  EXPECT_THAT(complaint, AllOf(HasSubstr("[m]"), HasSubstr("voxel_m"), Not(HasSubstr("\n"))));
+}
+
 /// MRPT's own reading comes to us where one of the maps is ours.
 TEST(MapDefinitions, ACountOfNoMapBesideASemanticMapIsFoundByMrptsReadingToo) {
   registerAll();
   for (const char* name : {"CSemanticMap", "semanticMap", "wardslam::mrpt_plugin::CSemanticMap"}) {
     const auto ini = iniOf("[my_maps]\n" + std::string(name) + "_count = 1\noccupancyGird_count = 1\n");
-    EXPECT_THAT(test::complaintOf([&] {
-                  mrpt::maps::TSetOfMetricMapInitializers definitions;
-                  definitions.loadFromConfigFile(ini, "my_maps");
-                  return definitions;
-                }),
-                HasSubstr("'occupancyGrid_count'"))
+    mrpt::maps::TSetOfMetricMapInitializers definitions;
+    EXPECT_THAT([&] { definitions.loadFromConfigFile(ini, "my_maps"); },
+                ThrowsMessage<std::exception>(HasSubstr("'occupancyGrid_count'")))
         << name;
   }
 }

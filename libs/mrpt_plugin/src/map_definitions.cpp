@@ -4,6 +4,7 @@
 #include <mrpt/maps/TMetricMapTypesRegistry.h>
 
 #include <algorithm>
+#include <exception>
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
@@ -16,6 +17,17 @@ const std::string kCount = "_count";
 
 bool isCount(const std::string& key) {
   return key.size() > kCount.size() && key.compare(key.size() - kCount.size(), kCount.size(), kCount) == 0;
+}
+
+/// The sentence in what MRPT has made of an exception: with lines of its own around it, and a location cut off its
+/// front.
+std::string sentenceOf(const std::exception& error) {
+  const std::string text = error.what();
+  const std::string mark = "Message: ";
+  const std::size_t at = text.find(mark);
+  if (at == std::string::npos) return text;
+  const std::size_t begin = text.find_first_not_of(": ", at + mark.size());
+  return begin == std::string::npos ? text : text.substr(begin, text.find('\n', begin) - begin);
 }
 
 }  // namespace
@@ -47,7 +59,13 @@ mrpt::maps::TSetOfMetricMapInitializers readMapDefinitions(const mrpt::config::C
   registerAll();
   requireKnownMaps(ini, section);
   mrpt::maps::TSetOfMetricMapInitializers definitions;
-  definitions.loadFromConfigFile(ini, section);
+  try {
+    definitions.loadFromConfigFile(ini, section);
+  } catch (const core::InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw core::InputError("metric maps of [" + section + "]: " + sentenceOf(error));
+  }
   return definitions;
 }
 

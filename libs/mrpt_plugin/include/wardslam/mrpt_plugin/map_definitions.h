@@ -18,7 +18,8 @@ namespace wardslam::mrpt_plugin {
 /// names it and the nearest.
 void requireKnownMaps(const mrpt::config::CConfigFileBase& ini, const std::string& section);
 
-/// The metric maps that a section asks for, as MRPT reads them, once requireKnownMaps() has seen it.
+/// The metric maps that a section asks for, as MRPT reads them, once requireKnownMaps() has seen it. Throws
+/// core::InputError, also for what a map finds wrong in its own sections.
 [[nodiscard]] mrpt::maps::TSetOfMetricMapInitializers readMapDefinitions(const mrpt::config::CConfigFileBase& ini,
                                                                          const std::string& section);
 
