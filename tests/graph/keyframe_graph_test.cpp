@@ -111,6 +111,17 @@ TEST(KeyframeGraph, APointMovesWithThePlaceItWasSeenFrom) {
   EXPECT_TRUE(graph.points().at(1).point.viewedFrom_map_m.isApprox(Eigen::Vector3d(1, 2, 3)));
 }
 
+TEST(KeyframeGraph, APointThatTurnsIsSeenFromTheSideThatTurnedAlong) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1}));
+  const odometry::MapPoint before = graph.points().at(1).point;
+  const Eigen::Isometry3d halfTurn = Eigen::Translation3d(3, 0, 0) * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ());
+  graph.movePoint(1, halfTurn);
+  const odometry::MapPoint& after = graph.points().at(1).point;
+  EXPECT_TRUE(after.p_map_m.isApprox(halfTurn * before.p_map_m));
+  EXPECT_TRUE(after.viewedFrom_map_m.isApprox(Eigen::Vector3d(3, 0, 0)));
+}
+
 TEST(KeyframeGraph, ARemovedKeyframeTakesAlongWhatOnlyItSaw) {
   KeyframeGraph graph;
   graph.insert(handMadeKeyframe(1, {1, 2, 3}));
@@ -131,6 +142,7 @@ void changeAll(KeyframeGraph& graph) {
   graph.setPosition(4, {8, 8, 8});
   graph.fuse(4, 1);
   graph.setPosition(1, {9, 9, 9});
+  graph.movePoint(5, makePose({1, 2, 3}) * Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX()));
   graph.removeSighting(1, 2);
   graph.removeSighting(1, 3);
 }

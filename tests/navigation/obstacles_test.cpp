@@ -154,7 +154,9 @@ TEST_F(ObstaclesOfAFrame, AreNotTheFloorOfAMapThatLeans) {
   });
   const Eigen::Isometry3d T_map_true(Eigen::AngleAxisd(-3.0 * M_PI / 180.0, Eigen::Vector3d::UnitY()));
   odometry_.T_map_cam = T_map_true * T_true_cam;
-  odometry_.keyframe = std::make_shared<odometry::Keyframe>();
+  odometry::Keyframe keyframe;
+  keyframe.ground = core::GroundPlane::atZero(T_true_cam);
+  odometry_.keyframe = std::make_shared<odometry::Keyframe>(std::move(keyframe));
   options_.max_depth_m = 10.0;
   const auto sensed = sense();
   ASSERT_FALSE(sensed.p_base_m.empty());

@@ -120,6 +120,23 @@ TEST_F(LocalMapTest, TakesOverBetterPositionsAndRemovals) {
   EXPECT_THAT(map_.neighbourhood({moved}), ElementsAre(moved));
 }
 
+/// What is recalled is where it belongs already.
+TEST_F(LocalMapTest, TheSideAPointWasSeenFromTurnsWithTheMap) {
+  const PointId turned = map_.add(pointAt(0));
+  const MapPoint before = *map_.find(turned);
+  MapPoint recalled = pointAt(1);
+  recalled.viewedFrom_map_m = {1, 0, 0};
+  MapUpdate update;
+  update.p_map_m = {{turned, {4, 0, 0}}, {99, recalled.p_map_m}};
+  update.recalledPoints[99] = recalled;
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  map_.apply(update, 7, R);
+  const Eigen::Vector3d fromCamera_m = before.p_map_m - before.viewedFrom_map_m;
+  EXPECT_TRUE(map_.find(turned)->p_map_m.isApprox(Eigen::Vector3d(4, 0, 0)));
+  EXPECT_TRUE((map_.find(turned)->p_map_m - map_.find(turned)->viewedFrom_map_m).isApprox(R * fromCamera_m));
+  EXPECT_EQ(map_.find(99)->viewedFrom_map_m, Eigen::Vector3d(1, 0, 0));
+}
+
 TEST_F(LocalMapTest, MovesPointsMadeFromOneOn) {
   const PointId older = map_.add(pointAt(0));
   const PointId first = map_.nextId();

@@ -353,6 +353,18 @@ TEST_F(OdometryCorrected, WhatTheMapperDidNotKnowYetFollowsTheNewestKeyframeItKn
   }
 }
 
+/// Where a piece joins the map its frame may be turned any way round.
+TEST_F(OdometryCorrected, GoesOnWhereTheMapTurnsRound) {
+  trackUntilKeyframes(2);
+  trackBoth(image_++);
+  const Eigen::Isometry3d turned = correction_ * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY());
+  odometry_.apply(correctionUpTo(2, turned));
+  const auto [corrected, untouched] = trackBoth(image_++);
+  ASSERT_EQ(corrected.state, State::Ok);
+  EXPECT_LT(distance_m(corrected.T_map_cam, turned * untouched.T_map_cam), 0.003);
+  EXPECT_GT(corrected.inliers, untouched.inliers * 4 / 5);
+}
+
 TEST_F(OdometryCorrected, WhatIsYoungerStaysWhereOnlyAFewKeyframesWereAdjusted) {
   trackUntilKeyframes(4);
   trackBoth(image_++);

@@ -89,6 +89,30 @@ TEST(BlobCodecs, RefuseWhatNoCameraSees) {
   EXPECT_THROW((void)decodeTile(encodeTile(tile)), core::BlobError);
 }
 
+TEST(BlobCodecs, GiveADepthViewBack) {
+  const odometry::DepthView view{5, 3, 2, {1000, 0, 65000, 1, 2, 3}, {1000, 0, 65000, 900, 2, 4}};
+  const auto back = decodeDepthView(encodeDepthView(view));
+  EXPECT_EQ(back.cell_px, 5);
+  EXPECT_EQ(back.columns, 3);
+  EXPECT_EQ(back.rows, 2);
+  EXPECT_EQ(back.nearest_mm, view.nearest_mm);
+  EXPECT_EQ(back.farthest_mm, view.farthest_mm);
+  EXPECT_EQ(decodeDepthView(encodeDepthView({})).columns, 0);
+}
+
+TEST(BlobCodecs, RefuseADepthViewOfOtherSizeThanItSays) {
+  const auto viewOf = [](std::uint16_t columns, std::vector<std::uint16_t> values) {
+    core::ByteWriter out;
+    for (const std::uint16_t value : {std::uint16_t{4}, columns, std::uint16_t{1}}) out.put(value);
+    for (const std::uint16_t value : values) out.put(value);
+    return core::pack(core::BlobKind::DepthView, 1, out.bytes());
+  };
+  EXPECT_EQ(decodeDepthView(viewOf(1, {1000, 20})).farthest_mm.at(0), 1020);
+  EXPECT_THROW((void)decodeDepthView(viewOf(2, {1000, 20})), core::BlobError);
+  EXPECT_THROW((void)decodeDepthView(viewOf(1, {1000, 20, 7})), core::BlobError);
+  EXPECT_THROW((void)decodeDepthView(viewOf(1, {65000, 1000})), core::BlobError) << "farther than can be told";
+}
+
 TEST(BlobCodecs, RefuseSizesThatOverflow) {
   core::ByteWriter out;
   out.put(std::uint32_t{0x80000000});

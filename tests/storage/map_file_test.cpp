@@ -90,6 +90,8 @@ TEST_F(MapFileTest, GivesBackWhatKeyframesSaw) {
   EXPECT_TRUE(views[1].T_map_cam.isApprox(expected->T_map_cam, 1e-12));
   EXPECT_TRUE(views[1].T_previous_cam.isApprox(expected->T_previous_cam, 1e-12));
   EXPECT_EQ(views[1].features.size(), 10U);
+  ASSERT_NE(views[1].depth, nullptr);
+  EXPECT_EQ(views[1].depth->farthest_mm, expected->depth->farthest_mm);
   ASSERT_EQ(views[1].sightings.size(), 9U) << "without depth and never seen elsewhere, the last point is nowhere";
   EXPECT_EQ(views[1].sightings[3].point, 23U);
   EXPECT_EQ(views[1].sightings[3].keypoint, 3U);
@@ -119,7 +121,7 @@ TEST_F(MapFileTest, GivesBackLoopsLabelsAndOptions) {
 TEST_F(MapFileTest, TellsHowMuchItHolds) {
   writeWard();
   const auto info = MapFile::open(path_).info();
-  EXPECT_EQ(info.schemaVersion, 3);
+  EXPECT_EQ(info.schemaVersion, 4);
   EXPECT_EQ(info.pieces, 1U);
   EXPECT_EQ(info.keyframesElsewhere, 0U);
   EXPECT_EQ(info.size_bytes, fs::file_size(path_));

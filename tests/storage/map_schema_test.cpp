@@ -17,7 +17,7 @@ using MapSchemaTest = StoredWard;
 TEST_F(MapSchemaTest, BringsAFileOfTheFirstVersionUpToDate) {
   writeWard();
   for (const char* table : {"depth_noises", "object_hints", "tile_memories", "object_memories", "object_votes",
-                            "object_pairs", "grounds"}) {
+                            "object_pairs", "grounds", "depth_views"}) {
     runSql(std::string("DROP TABLE ") + table);
   }
   runSql(
@@ -25,7 +25,7 @@ TEST_F(MapSchemaTest, BringsAFileOfTheFirstVersionUpToDate) {
       "ALTER TABLE objects DROP COLUMN piece; PRAGMA user_version = 1");
   const auto file = MapFile::open(path_);
   EXPECT_THAT(file.check(), IsEmpty());
-  EXPECT_EQ(file.info().schemaVersion, 3);
+  EXPECT_EQ(file.info().schemaVersion, 4);
   EXPECT_EQ(file.info().pieces, 1U) << "what there was is one piece, and the map";
   EXPECT_EQ(file.read().keyframes.size(), ward_.keyframes.size());
   EXPECT_EQ(file.read().objects.size(), ward_.objects.size());
@@ -36,16 +36,24 @@ TEST_F(MapSchemaTest, BringsAFileOfTheFirstVersionUpToDate) {
 
 TEST_F(MapSchemaTest, OfAFileOfTheSecondVersionNoGroundIsKnown) {
   writeWard();
-  runSql("DROP TABLE grounds; PRAGMA user_version = 2");
+  runSql("DROP TABLE grounds; DROP TABLE depth_views; PRAGMA user_version = 2");
   const auto file = MapFile::open(path_);
   EXPECT_THAT(file.check(), IsEmpty());
-  EXPECT_EQ(file.info().schemaVersion, 3);
+  EXPECT_EQ(file.info().schemaVersion, 4);
   for (const auto& [id, keyframe] : file.read().keyframes) EXPECT_FALSE(keyframe.ground) << id;
+}
+
+TEST_F(MapSchemaTest, OfAFileOfTheThirdVersionNoDepthIsKnown) {
+  writeWard();
+  runSql("DROP TABLE depth_views; PRAGMA user_version = 3");
+  const auto file = MapFile::open(path_);
+  EXPECT_THAT(file.check(), IsEmpty());
+  for (const auto& view : file.readViews()) EXPECT_EQ(view.depth, nullptr) << view.id;
 }
 
 TEST_F(MapSchemaTest, SaysThatANewerVersionWroteIt) {
   writeWard();
-  runSql("PRAGMA user_version = 4");
+  runSql("PRAGMA user_version = 5");
   EXPECT_THAT(openingError(), HasSubstr("was written by a newer WardSLAM"));
 }
 

@@ -94,6 +94,8 @@ inline std::shared_ptr<odometry::Keyframe> makeView(odometry::KeyframeId id, con
   view->T_map_cam = map.keyframes.at(id).T_map_cam;
   view->camera.fx_px = 500.0;
   if (id > 1) view->T_previous_cam = map.keyframes.at(id - 1).T_map_cam.inverse() * view->T_map_cam;
+  view->depth = std::make_shared<odometry::DepthView>(
+      odometry::DepthView{320, 2, 1, {2000, 0}, {static_cast<std::uint16_t>(2000 + id), 0}});
   view->features.descriptors.create(10, 32, CV_8UC1);
   for (std::size_t i = 0; i < 10; ++i) {
     core::Keypoint keypoint;

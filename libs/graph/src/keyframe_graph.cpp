@@ -1,7 +1,6 @@
 #include "wardslam/graph/keyframe_graph.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace wardslam::graph {
 
@@ -68,9 +67,15 @@ void KeyframeGraph::setPose(KeyframeId id, const Eigen::Isometry3d& T_map_cam) {
 
 void KeyframeGraph::setPosition(PointId id, const Eigen::Vector3d& p_map_m) {
   odometry::MapPoint& point = points_.at(id).point;
-  if (trial_) trial_->p_viewedFrom_map_m.emplace(id, std::pair(point.p_map_m, point.viewedFrom_map_m));
+  keepPlace(id);
   point.viewedFrom_map_m += p_map_m - point.p_map_m;
   point.p_map_m = p_map_m;
+}
+
+void KeyframeGraph::movePoint(PointId id, const Eigen::Isometry3d& correction) {
+  odometry::MapPoint& point = points_.at(id).point;
+  keepPlace(id);
+  odometry::move(point, correction);
 }
 
 void KeyframeGraph::removeSighting(KeyframeId keyframe, PointId point) {
@@ -143,6 +148,10 @@ void KeyframeGraph::keep(PointId id) {
   if (trial_ && trial_->points.count(id) == 0) trial_->points.emplace(id, points_.at(id));
 }
 
+void KeyframeGraph::keepPlace(PointId id) {
+  if (trial_ && trial_->points.count(id) == 0) trial_->moved.emplace(id, points_.at(id).point);
+}
+
 void KeyframeGraph::takeBack() {
   if (!trial_) return;
   Trial before = std::move(*trial_);
@@ -150,10 +159,7 @@ void KeyframeGraph::takeBack() {
   for (const PointId id : before.fused) fusedInto_.erase(id);
   joinedInto_ = std::move(before.joinedInto);
   for (auto& [id, node] : before.points) points_.insert_or_assign(id, std::move(node));
-  for (const auto& [id, positions_m] : before.p_viewedFrom_map_m) {
-    odometry::MapPoint& point = points_.at(id).point;
-    std::tie(point.p_map_m, point.viewedFrom_map_m) = positions_m;
-  }
+  for (const auto& [id, point] : before.moved) points_.at(id).point = point;
   for (auto& [id, sightings] : before.keypointOf) keyframes_.at(id).keypointOf = std::move(sightings);
   for (const auto& [id, submap] : before.submap) keyframes_.at(id).submap = submap;
   for (const auto& [id, T_map_cam] : before.T_map_cam) keyframes_.at(id).T_map_cam = T_map_cam;

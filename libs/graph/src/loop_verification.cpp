@@ -64,7 +64,7 @@ double spreadOf(const std::vector<Match>& matches, const odometry::Keyframe& key
   return static_cast<double>(parts.size()) / (kParts * kParts);
 }
 
-/// By all that both measured; of an earlier run points are known, and no more.
+/// By all that both measured; of maps that older versions wrote points are known, and no more.
 odometry::DepthAgreement depthAgreement(const KeyframeGraph& graph, const Loop& loop,
                                         const std::set<PointId>& inSight) {
   const odometry::Keyframe& older = *graph.keyframes().at(loop.older).keyframe;

@@ -21,15 +21,12 @@ namespace {
 
 /// Moves keyframes to new poses; every point goes with the first keyframe that saw it.
 void moveKeyframes(KeyframeGraph& graph, const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
-  std::map<PointId, Eigen::Vector3d> positions_m;
   for (const auto& [id, node] : graph.points()) {
     const KeyframeId reference = *node.seenBy.begin();
     const auto moved = T_map_cam.find(reference);
     if (moved == T_map_cam.end()) continue;
-    const Eigen::Isometry3d correction = moved->second * graph.keyframes().at(reference).T_map_cam.inverse();
-    positions_m[id] = correction * node.point.p_map_m;
+    graph.movePoint(id, core::rigid(moved->second * graph.keyframes().at(reference).T_map_cam.inverse()));
   }
-  for (const auto& [id, p_map_m] : positions_m) graph.setPosition(id, p_map_m);
   for (const auto& [id, pose] : T_map_cam) graph.setPose(id, pose);
 }
 

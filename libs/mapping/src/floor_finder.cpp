@@ -1,7 +1,6 @@
 #include "wardslam/mapping/floor_finder.h"
 
 #include <pcl/ModelCoefficients.h>
-#include <pcl/console/print.h>
 #include <pcl/filters/extract_indices.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -11,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+#include "quiet_pcl.h"
 #include "wardslam/mapping/depth_points.h"
 
 namespace wardslam::mapping {
@@ -32,18 +32,6 @@ constexpr double kMaxMisfit = 4.0;          // more than noise explains: a plane
 constexpr double kUneven_m = 0.004;
 constexpr double kBias_rad = 0.002;
 constexpr double kBias_m = 0.004;
-
-/// PCL prints where it finds no plane, which here is an answer like another.
-class QuietPcl {
- public:
-  QuietPcl() { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
-  ~QuietPcl() { pcl::console::setVerbosityLevel(before_); }
-  QuietPcl(const QuietPcl&) = delete;
-  QuietPcl& operator=(const QuietPcl&) = delete;
-
- private:
-  pcl::console::VERBOSITY_LEVEL before_ = pcl::console::getVerbosityLevel();
-};
 
 Cloud::Ptr pointsOf(const std::vector<DepthPoint>& points, const Eigen::Matrix3d& R_level_cam) {
   auto cloud = pcl::make_shared<Cloud>();

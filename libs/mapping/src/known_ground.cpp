@@ -53,9 +53,8 @@ StandingGround lookAtGround(const View& view, const std::map<odometry::KeyframeI
 }
 
 FloorSeen floorSeenBy(const std::map<odometry::KeyframeId, PlacedKeyframe>& keyframes,
-                      std::optional<std::uint32_t> piece, const std::string& planTrouble) {
+                      std::optional<std::uint32_t> piece) {
   FloorSeen floor;
-  floor.planTrouble = planTrouble;
   Eigen::Vector3d up_map = Eigen::Vector3d::Zero();
   for (const auto& [id, keyframe] : keyframes) {
     if (piece != keyframe.piece) continue;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <string>
 
 #include "free_fan.h"
 #include "map_part.h"
@@ -33,8 +32,8 @@ struct KnownGround {
 StandingGround lookAtGround(const View& view, const std::map<odometry::KeyframeId, PlacedKeyframe>& keyframes,
                             PlacedKeyframe& here);
 
-/// Of the keyframes of one piece, and of what became of its plan.
+/// Of the keyframes of one piece; not what became of its plan.
 [[nodiscard]] FloorSeen floorSeenBy(const std::map<odometry::KeyframeId, PlacedKeyframe>& keyframes,
-                                    std::optional<std::uint32_t> piece, const std::string& planTrouble);
+                                    std::optional<std::uint32_t> piece);
 
 }  // namespace wardslam::mapping

@@ -40,7 +40,7 @@ class MapBuilder::Impl {
   SemanticMap map(const MapParts& parts);
   [[nodiscard]] MapMemory memory(const std::set<KeyframeId>& tiles) const;
   MapParts takeChanges();
-  [[nodiscard]] FloorSeen floorSeen() const { return floorSeenBy(keyframes_, pieces_.map(), planTrouble_); }
+  [[nodiscard]] FloorSeen floorSeen() const;
 
  private:
   Part& part(std::uint32_t piece) { return parts_.try_emplace(piece, options_).first->second; }
@@ -354,6 +354,12 @@ SemanticMap MapBuilder::Impl::map() {
   return map;
 }
 
+FloorSeen MapBuilder::Impl::floorSeen() const {
+  FloorSeen floor = floorSeenBy(keyframes_, pieces_.map());
+  floor.planTrouble = planTrouble_;
+  return floor;
+}
+
 SemanticMap MapBuilder::Impl::map(const MapParts& parts) {
   SemanticMap map;
   map.labels = setting_.labels;
@@ -398,8 +404,7 @@ MapMemory MapBuilder::Impl::memory(const std::set<KeyframeId>& tiles) const {
     }
     for (const auto& [id, record] : part.objects.objects())
       memory.objects.emplace(id, record).first->second.piece = piece;
-    const auto pairs = part.objects.pairs();
-    memory.pairs.insert(pairs.begin(), pairs.end());
+    memory.pairs.insert(part.objects.pairs().begin(), part.objects.pairs().end());
   }
   return memory;
 }

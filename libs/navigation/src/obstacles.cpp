@@ -7,7 +7,6 @@
 
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/mapping/depth_points.h"
-#include "wardslam/mapping/floor_finder.h"
 
 namespace wardslam::navigation {
 namespace {
@@ -61,7 +60,9 @@ Obstacles::Obstacles(const mapping::FloorPlan& plan, const ObstacleOptions& opti
 void Obstacles::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   const core::GroundPlane zero = core::GroundPlane::atZero(Eigen::Isometry3d::Identity());
   if (odometry.hasPose()) {
-    if (odometry.keyframe) lookAtGround(frame, odometry.T_map_cam);
+    if (odometry.keyframe && odometry.keyframe->ground) {
+      ground_map_ = odometry.keyframe->ground->seenFrom(odometry.T_map_cam);
+    }
     return see(pointsOf(frame, odometry.T_map_cam, ground_map_.value_or(zero), options_), frame.stamp_s);
   }
   auto p_base_m = pointsOf(frame, frame.T_base_cam, zero, options_);
@@ -69,15 +70,6 @@ void Obstacles::onFrame(const core::Frame& frame, const odometry::OdometryResult
   seen_map_m_.clear();
   seen_base_m_ = std::move(p_base_m);
   stamp_s_ = frame.stamp_s;
-}
-
-/// Up is as before; at first as the map frame has it.
-void Obstacles::lookAtGround(const core::Frame& frame, const Eigen::Isometry3d& T_map_cam) {
-  const Eigen::Vector3d up_map = ground_map_ ? ground_map_->normal_cam : Eigen::Vector3d::UnitZ();
-  mapping::GroundExpectation expected;
-  expected.up_cam = T_map_cam.linear().transpose() * up_map;
-  const auto ground = mapping::findGround(frame.depth_m, frame.camera, expected);
-  if (ground) ground_map_ = ground->seenFrom(T_map_cam);
 }
 
 void Obstacles::see(std::vector<Eigen::Vector3f> p_map_m, double stamp_s) {

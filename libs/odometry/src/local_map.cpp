@@ -62,15 +62,17 @@ void LocalMap::describe(PointId id, const core::Keypoint& keypoint, const OrbDes
   describeFrom(points_.at(id), keypoint, descriptor, T_map_cam);
 }
 
-void LocalMap::apply(const MapUpdate& update, std::uint64_t frame) {
-  recall(update, frame);
-  for (const auto& [from, into] : update.fusedPoints) fuse(from, into);
+void LocalMap::apply(const MapUpdate& update, std::uint64_t frame, const Eigen::Matrix3d& R_map_before) {
   for (const auto& [id, p_map_m] : update.p_map_m) {
     const auto point = points_.find(id);
     if (point == points_.end()) continue;
-    point->second.viewedFrom_map_m += p_map_m - point->second.p_map_m;
-    point->second.p_map_m = p_map_m;
+    Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
+    turned.linear() = R_map_before;
+    turned.translation() = p_map_m - R_map_before * point->second.p_map_m;
+    move(point->second, turned);
   }
+  recall(update, frame);  // these are where they belong already
+  for (const auto& [from, into] : update.fusedPoints) fuse(from, into);
   for (const PointId id : update.removedPoints) remove(id);
   for (const RemovedKeyframe& removed : update.removedKeyframes) removeKeyframe(removed.id);
 }

@@ -41,8 +41,10 @@ class LocalMap {
     points_.at(id).semanticDescriptor = std::move(surroundings);
   }
 
-  /// Recalled points count as seen in `frame`, the last one.
-  void apply(const MapUpdate& update, std::uint64_t frame);
+  /// Recalled points count as seen in `frame`, the last one. Where the points go, the map turns by `R_map_before`: from
+  /// which side each was seen turns along.
+  void apply(const MapUpdate& update, std::uint64_t frame,
+             const Eigen::Matrix3d& R_map_before = Eigen::Matrix3d::Identity());
 
   /// Moves the points made from that one on, within the map frame.
   void movePoints(PointId first, const Eigen::Isometry3d& correction);

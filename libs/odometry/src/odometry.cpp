@@ -80,7 +80,8 @@ class Odometry::Tracker {
   OdometryResult accept(const TrackedImage& view, const Tracking& tracking);
   OdometryResult lose(const TrackedImage& view, const Tracking& tracking);
   void beginSubmap();
-  Eigen::Isometry3d moveWhatIsYounger(const MapUpdate& update);
+  Eigen::Isometry3d correctionOfYounger(const MapUpdate& update);
+  void moveWhatIsYounger(const Eigen::Isometry3d& correction);
   void updateMap(const TrackedImage& view, const Tracking& tracking);
   [[nodiscard]] std::vector<std::size_t> newPointCandidates(const TrackedImage& view, const Tracking& tracking) const;
   [[nodiscard]] bool needsKeyframe(const TrackedImage& view, const Tracking& tracking, std::size_t newPoints) const;
@@ -288,28 +289,34 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
 Eigen::Isometry3d Odometry::Tracker::apply(const MapUpdate& update) {
   pieces_.apply(update);
   if (update.submap != submap_) return Eigen::Isometry3d::Identity();
-  map_.apply(update, frame_);
+  const Eigen::Isometry3d correction = correctionOfYounger(update);
+  map_.apply(update, frame_, correction.linear());
   for (PointId& id : lastSeen_) {
     if (const auto fused = update.fusedPoints.find(id); fused != update.fusedPoints.end()) id = fused->second;
   }
-  return moveWhatIsYounger(update);
+  moveWhatIsYounger(correction);
+  return correction;
 }
 
 /// When the mapper is behind and has adjusted a few keyframes only, the camera and what is younger stay: they were
 /// placed by points in sight, and follow these with the next image. How the mapper's newest keyframe moves is half that
 /// image's own error; given to what is younger it would come back with the next keyframe's pose, and grow.
-Eigen::Isometry3d Odometry::Tracker::moveWhatIsYounger(const MapUpdate& update) {
+Eigen::Isometry3d Odometry::Tracker::correctionOfYounger(const MapUpdate& update) {
   while (!awaited_.empty() && awaited_.front().id < update.newestKeyframe) awaited_.pop_front();
   if (awaited_.empty() || awaited_.front().id != update.newestKeyframe) return Eigen::Isometry3d::Identity();
   const bool isBehind = awaited_.size() > 1;
   if (isBehind && !update.movesTheMap) return Eigen::Isometry3d::Identity();
-  const Eigen::Isometry3d correction = correctionOf(update, awaited_.front().T_map_cam);
+  return correctionOf(update, awaited_.front().T_map_cam);
+}
+
+/// `awaited_` begins with the newest keyframe that the update knew.
+void Odometry::Tracker::moveWhatIsYounger(const Eigen::Isometry3d& correction) {
+  if (awaited_.empty()) return;
   map_.movePoints(awaited_.front().nextPoint, correction);
   for (AwaitedKeyframe& keyframe : awaited_) keyframe.T_map_cam = correction * keyframe.T_map_cam;
   lastKeyframe_.T_map_cam = awaited_.back().T_map_cam;
   T_cam_map_ = T_cam_map_ * correction.inverse();
   if (predicted_) predicted_->T_cam_map = predicted_->T_cam_map * correction.inverse();
-  return correction;
 }
 
 Odometry::Odometry(const OdometryOptions& options, const Continuation& earlier)

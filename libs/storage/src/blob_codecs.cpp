@@ -1,6 +1,7 @@
 #include "blob_codecs.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "wardslam/odometry/orb_descriptor.h"
@@ -18,6 +19,7 @@ constexpr std::uint8_t kTileVersion = 1;
 constexpr std::uint8_t kCellsVersion = 1;
 constexpr std::uint8_t kFanVersion = 1;
 constexpr std::uint8_t kTileMemoryVersion = 1;
+constexpr std::uint8_t kDepthViewVersion = 1;
 
 /// Hands every field of a record, in the order of the layout, to `column`.
 template <class Column>
@@ -189,6 +191,37 @@ std::vector<Eigen::Vector3f> decodeFan(const core::Bytes& blob) {
   getColumns(in, fan_cam_m);
   for (const auto& end : fan_cam_m) requirePossible(end);
   return fan_cam_m;
+}
+
+/// How much the farthest lies behind the nearest changes less from cell to cell than where it lies.
+core::Bytes encodeDepthView(const odometry::DepthView& view) {
+  core::ByteWriter out;
+  for (const int value : {view.cell_px, view.columns, view.rows}) out.put(static_cast<std::uint16_t>(value));
+  for (const std::uint16_t nearest_mm : view.nearest_mm) out.put(nearest_mm);
+  for (std::size_t i = 0; i < view.nearest_mm.size(); ++i) {
+    out.put(static_cast<std::uint16_t>(view.farthest_mm[i] - view.nearest_mm[i]));
+  }
+  return core::pack(core::BlobKind::DepthView, kDepthViewVersion, out.bytes());
+}
+
+odometry::DepthView decodeDepthView(const core::Bytes& blob) {
+  const core::Bytes content = core::unpack(core::BlobKind::DepthView, kDepthViewVersion, blob);
+  core::ByteReader in(content);
+  odometry::DepthView view;
+  for (int* value : {&view.cell_px, &view.columns, &view.rows}) *value = in.get<std::uint16_t>();
+  const auto cells = static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows);
+  if (in.left() != 2 * sizeof(std::uint16_t) * cells)
+    throw core::BlobError("it holds more or fewer cells than it says");
+  require(view.cell_px > 0 || cells == 0, "a cell");
+  view.nearest_mm.resize(cells);
+  view.farthest_mm.resize(cells);
+  for (std::uint16_t& nearest_mm : view.nearest_mm) nearest_mm = in.get<std::uint16_t>();
+  for (std::size_t i = 0; i < cells; ++i) {
+    const int farthest_mm = view.nearest_mm[i] + in.get<std::uint16_t>();
+    require(farthest_mm <= std::numeric_limits<std::uint16_t>::max(), "a depth");
+    view.farthest_mm[i] = static_cast<std::uint16_t>(farthest_mm);
+  }
+  return view;
 }
 
 core::Bytes encodeCells(const cv::Mat& cells) {

@@ -209,6 +209,17 @@ void readDepthNoises(SQLite::Database& database, std::map<odometry::KeyframeId, 
              });
 }
 
+void readDepthViews(SQLite::Database& database, std::map<odometry::KeyframeId, odometry::Keyframe>& views) {
+  forEachRow(database, "depth view of keyframe", "SELECT keyframe, cells FROM depth_views", [&views](ColumnReader row) {
+    odometry::KeyframeId keyframe = 0;
+    core::Bytes blob;
+    row >> keyframe >> blob;
+    const auto view = views.find(keyframe);
+    if (view == views.end()) throw core::BlobError("that keyframe has no features");
+    view->second.depth = std::make_shared<odometry::DepthView>(decodeDepthView(blob));
+  });
+}
+
 std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQLite::Database& database) {
   const auto cameras = readCameras(database);
   std::map<odometry::KeyframeId, odometry::Keyframe> views;
@@ -227,6 +238,7 @@ std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQL
                views.emplace(view.id, std::move(view));
              });
   readDepthNoises(database, views);
+  readDepthViews(database, views);
   return views;
 }
 

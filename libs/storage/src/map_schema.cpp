@@ -101,8 +101,13 @@ CREATE TABLE grounds (
   covariance_12 REAL NOT NULL, covariance_1_height_m REAL NOT NULL, covariance_2_height_m REAL NOT NULL);
 )sql";
 
+/// What keyframes saw of surfaces: tells places that look the same apart. Of older ones it is not known.
+constexpr const char* kVersion4 = R"sql(
+CREATE TABLE depth_views (keyframe INTEGER PRIMARY KEY REFERENCES views, cells BLOB NOT NULL);
+)sql";
+
 /// The step at [i] leads from version i to i + 1.
-constexpr std::array<const char*, 3> kSteps = {kVersion1, kVersion2, kVersion3};
+constexpr std::array<const char*, 4> kSteps = {kVersion1, kVersion2, kVersion3, kVersion4};
 
 }  // namespace
 

@@ -122,12 +122,14 @@ Eigen::Isometry3d poseOf(SQLite::Database& database, odometry::KeyframeId keyfra
 void writeViews(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Statement insert(database, "INSERT INTO views VALUES (?,?,?,?)");
   SQLite::Statement noiseRow(database, "INSERT INTO depth_noises VALUES (?,?,?,?)");
+  SQLite::Statement depth(database, "INSERT INTO depth_views VALUES (?,?)");
   SightingWriter sightings(database);
   for (const auto& view : changes.views) {
     const auto camera = static_cast<std::uint64_t>(cameraId(database, view->camera));
     (ParameterBinder(insert) << view->id << view->submap << camera << encodeFeatures(view->features)).run();
     const core::DepthNoise& noise = view->camera.depthNoise;
     (ParameterBinder(noiseRow) << view->id << noise.least_m << noise.growth_per_m << noise.from_m).run();
+    if (view->depth) (ParameterBinder(depth) << view->id << encodeDepthView(*view->depth)).run();
     const Eigen::Isometry3d T_map_cam = poseOf(database, view->id);
     for (const auto& sighting : view->sightings) sightings.write(*view, T_map_cam, sighting);
     if (isKnown(database, view->id - 1, view->submap)) {
@@ -197,6 +199,7 @@ void removeKeyframes(SQLite::Database& database, const MapChanges& changes) {
       "DELETE FROM sightings WHERE keyframe = ?1",
       "DELETE FROM edges WHERE from_keyframe = ?1 OR to_keyframe = ?1",
       "DELETE FROM depth_noises WHERE keyframe = ?1",
+      "DELETE FROM depth_views WHERE keyframe = ?1",
       "DELETE FROM views WHERE keyframe = ?1",
       "DELETE FROM free_fans WHERE keyframe = ?1",
       "DELETE FROM grounds WHERE keyframe = ?1",

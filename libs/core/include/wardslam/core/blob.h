@@ -18,6 +18,7 @@ enum class BlobKind : std::uint8_t {
   FloorCells = 'G',
   FreeFan = 'S',
   TileMemory = 'M',
+  DepthView = 'D',
   Observation = 'O'
 };
 

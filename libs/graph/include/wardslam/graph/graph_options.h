@@ -98,8 +98,7 @@ struct LoopConfirmationOptions {
     visit("keyframes", self.keyframes, {1, 1000}, "count", "that must see the same place again, for a loop");
     visit("keyframes_to_join", self.keyframes_to_join, {1, 1000}, "count",
           "likewise, for two pieces of the map to become one, as nothing else says where they lie; a strong look is "
-          "enough, "
-          "and when a run ends, the best there was");
+          "enough, and when a run ends, the best there was");
     visit("max_gap", self.max_gap, {1, 1000}, "count", "keyframes from one that sees it to the next");
     visit("max_disagreement_m", self.max_disagreement_m, {0.001, 10.0}, "m", "between what two of them say");
     visit("max_disagreement_rad", self.max_disagreement_rad, {0.001, 3.2}, "rad", "likewise");

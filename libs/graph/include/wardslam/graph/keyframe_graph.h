@@ -57,6 +57,7 @@ class KeyframeGraph {
   void setPose(KeyframeId id, const Eigen::Isometry3d& T_map_cam);
   void setFloor(KeyframeId id, KeyframeId floor) { keyframes_.at(id).floor = floor; }
   void setPosition(PointId id, const Eigen::Vector3d& p_map_m);
+  void movePoint(PointId id, const Eigen::Isometry3d& correction);  ///< Within the map frame, with all known of it.
   void removeSighting(KeyframeId keyframe, PointId point);  ///< And the point, when nobody else sees it.
 
   /// With its sightings, and the points nobody else sees. Returns those. The newest keyframe must stay.
@@ -80,7 +81,7 @@ class KeyframeGraph {
     std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
     std::map<KeyframeId, std::uint32_t> submap;
     std::map<KeyframeId, std::map<PointId, std::size_t>> keypointOf;
-    std::map<PointId, std::pair<Eigen::Vector3d, Eigen::Vector3d>> p_viewedFrom_map_m;
+    std::map<PointId, odometry::MapPoint> moved;
     std::map<PointId, PointNode> points;
     std::vector<PointId> fused;
     std::map<std::uint32_t, std::uint32_t> joinedInto;
@@ -88,6 +89,7 @@ class KeyframeGraph {
 
   void keepSightings(KeyframeId id);
   void keep(PointId id);
+  void keepPlace(PointId id);
   void insertAt(const std::shared_ptr<const odometry::Keyframe>& keyframe, const Eigen::Isometry3d& T_map_cam);
   [[nodiscard]] std::uint32_t currentSubmapOf(const odometry::Keyframe& keyframe) const;
   [[nodiscard]] PointId currentIdOf(PointId id) const;

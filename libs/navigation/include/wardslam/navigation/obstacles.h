@@ -63,8 +63,6 @@ class Obstacles : public pipeline::FrameObserver {
   [[nodiscard]] SensedObstacles sense(const Eigen::Isometry3d& T_map_base) const;
 
  private:
-  void lookAtGround(const core::Frame& frame, const Eigen::Isometry3d& T_map_cam);
-
   ObstacleOptions options_;
   std::optional<core::GroundPlane> ground_map_;  ///< As seen from the map's origin.
   std::vector<Eigen::Vector3f> standing_map_m_;

@@ -33,7 +33,7 @@ struct Keyframe {
   Eigen::Isometry3d T_previous_cam = Eigen::Isometry3d::Identity();
   core::Features features;  ///< Static ones only.
   std::vector<Sighting> sightings;
-  std::shared_ptr<const DepthView> depth = nullptr;  ///< Null: not known any more, as of an earlier run.
+  std::shared_ptr<const DepthView> depth = nullptr;  ///< Null: not known, as of maps that older versions wrote.
   std::optional<core::GroundPlane> ground;           ///< That its image shows, where somebody looked and there is one.
 };
 
