@@ -58,6 +58,23 @@ if(NOT written)
   message(FATAL_ERROR "examples/metric_map wrote no map")
 endif()
 
+# A SLAM program written against MRPT's interface: the camera goes the way that `wardslam run` says.
+run(${CMAKE_COMMAND} -S ${EXAMPLES}/map_builder -B ${WORK}/map_builder -D CMAKE_PREFIX_PATH=${WORK}/prefix
+    -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
+run(${CMAKE_COMMAND} --build ${WORK}/map_builder)
+file(WRITE ${WORK}/map_builder/map_builder.ini
+     "[MappingApplication]\nCSemanticMap_count = 1\noctoMap_count = 1\n[WardSLAM]\ndeterministic = true\n")
+run(${WORK}/map_builder/map_builder ${WORK}/map_builder/map_builder.ini ${WORK}/ward.rawlog ${WORK}/map_builder/ward)
+run(${WORK}/prefix/bin/wardslam run ${WORK}/ward.rawlog --deterministic --out ${WORK}/map_builder/run)
+run(${CMAKE_COMMAND} -E compare_files ${WORK}/map_builder/ward.txt ${WORK}/map_builder/run/trajectory.txt)
+run(${WORK}/map_builder/map_builder ${EXAMPLES}/../config/mrpt/map_builder.ini ${WORK}/ward.rawlog
+    ${WORK}/map_builder/again)
+foreach(name ward.simplemap ward.png again.simplemap)
+  if(NOT EXISTS ${WORK}/map_builder/${name})
+    message(FATAL_ERROR "examples/map_builder did not write ${name}")
+  endif()
+endforeach()
+
 # The plug-in in MRPT's own program, where there is one.
 find_program(rawlog_edit rawlog-edit)
 if(rawlog_edit)

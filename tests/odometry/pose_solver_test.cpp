@@ -115,6 +115,63 @@ TEST_F(PoseSolverTest, IsAsExactAsTheNoiseAllows) {
   }
 }
 
+/// Errors are as large as it says: six degrees of freedom.
+TEST_F(PoseSolverTest, CovarianceIsThatOfTheBestEstimate) {
+  constexpr int kTrials = 40;
+  double sum = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto observations = observe(150, true);
+    const PoseCovariance covariance = solver_.covariance(observations, camera_, T_cam_map_);
+    EXPECT_TRUE(covariance.isApprox(covariance.transpose(), 1e-9));
+    const auto estimate = solver_.refine(observations, camera_, guess());
+    const Eigen::Isometry3d error = T_cam_map_ * estimate.T_cam_map.inverse();
+    const Eigen::AngleAxisd turn(error.linear());
+    Vector6 coordinates;
+    coordinates << error.translation(), turn.angle() * turn.axis();
+    sum += coordinates.dot(covariance.inverse() * coordinates);
+  }
+  EXPECT_NEAR(sum / kTrials, 6.0, 2.5);
+}
+
+TEST_F(PoseSolverTest, APriorCountsByItsCovariance) {
+  const auto observations = observe(150, true);
+  const Eigen::Isometry3d T_visual = solver_.refine(observations, camera_, guess()).T_cam_map;
+  PosePrior prior;
+  prior.T_cam_map = Eigen::Translation3d(0.002, 0.0, 0.0) * T_visual;
+  const auto shift_m = [&](double sigma) {
+    prior.covariance = sigma * sigma * PoseCovariance::Identity();
+    return (solver_.refine(observations, camera_, guess(), &prior).T_cam_map.translation() - T_visual.translation())
+        .norm();
+  };
+  EXPECT_NEAR(shift_m(1e-5), 0.002, 0.0004) << "surer than the image";
+  EXPECT_LT(shift_m(0.05), 0.0001) << "less sure by far";
+  EXPECT_GT(shift_m(0.001), shift_m(0.01));
+}
+
+TEST_F(PoseSolverTest, AnEqualPriorHalvesTheVariance) {
+  const auto observations = observe(150, true);
+  const PoseCovariance alone = solver_.covariance(observations, camera_, T_cam_map_);
+  const PosePrior prior{T_cam_map_, alone};
+  EXPECT_TRUE(solver_.covariance(observations, camera_, T_cam_map_, &prior).isApprox(0.5 * alone, 1e-6));
+}
+
+/// Wheels that slip by half a metre, and believe it to the millimetre.
+TEST_F(PoseSolverTest, IsHardlyMovedByAPriorThatContradictsTheImage) {
+  const auto observations = observe(150, true);
+  const Eigen::Isometry3d T_visual = solver_.refine(observations, camera_, guess()).T_cam_map;
+  const PosePrior prior{Eigen::Translation3d(0.5, 0.0, 0.0) * T_visual, 1e-6 * PoseCovariance::Identity()};
+  const auto estimate = solver_.refine(observations, camera_, guess(), &prior);
+  EXPECT_LT((estimate.T_cam_map.translation() - T_visual.translation()).norm(), 0.005);
+  EXPECT_GT(estimate.inliers, 150 * 80 / 100);
+}
+
+/// Two points leave a pose open.
+TEST_F(PoseSolverTest, CovarianceOfTooFewPointsIsHuge) {
+  const PoseCovariance covariance = solver_.covariance(observe(2, false), camera_, T_cam_map_);
+  EXPECT_TRUE(covariance.allFinite());
+  EXPECT_GT(covariance.trace(), 1.0);
+}
+
 TEST_F(PoseSolverTest, AWrongDepthAloneMakesAnOutlier) {
   auto observations = observe(100, true);
   ASSERT_TRUE(solver_.refine(observations, camera_, guess()).isInlier[40]);

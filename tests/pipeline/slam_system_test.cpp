@@ -169,6 +169,20 @@ TEST_F(SlamSystemTest, GraphMapFileAndTrajectoryAgreeInTheEnd) {
   }
 }
 
+TEST_F(SlamSystemTest, TellsWhatThereIsWhileItGoesOn) {
+  for (const bool deterministic : {true, false}) {
+    SlamOptions options = withoutFilters();
+    options.deterministic = deterministic;
+    SlamSystem slam(options);
+    for (std::size_t images = 1; images <= 12; ++images) {
+      slam.process(observe(room_, static_cast<int>(images)));
+      const MapSoFar soFar = slam.mapSoFar();
+      EXPECT_EQ(soFar.trajectory.size(), images);
+      EXPECT_TRUE(soFar.semantic.keyframes.at(1).T_map_cam.isApprox(soFar.T_map_cam.at(1), 1e-9));
+    }
+  }
+}
+
 TEST_F(SlamSystemTest, WithoutMappingThereIsNoSemanticMap) {
   SlamOptions options = withoutFilters();
   options.mapping.enabled = false;

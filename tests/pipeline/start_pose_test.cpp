@@ -69,5 +69,16 @@ TEST(StartPose, SaysWhatAPoseIs) {
   }
 }
 
+TEST(StartPose, OfAProgramThatKnowsWhereTheRobotStands) {
+  MapFrameOptions options;
+  options.level_with_floor = false;
+  options.T_map_base = Eigen::Translation3d(3.0, -2.0, 0.0) * Eigen::AngleAxisd(M_PI / 2.0, Eigen::Vector3d::UnitZ());
+  core::Frame frame;
+  frame.T_base_cam = Eigen::Translation3d(0.2, 0.0, 1.1) * Eigen::Isometry3d::Identity();
+  EXPECT_TRUE(startPose(options, frame).translation().isApprox(Eigen::Vector3d(3.0, -1.8, 1.1), 1e-12));
+  options.start_pose = "0 0 0 0 0 0 1";
+  EXPECT_TRUE(startPose(options, frame).isApprox(Eigen::Isometry3d::Identity())) << "what the user says overrules it";
+}
+
 }  // namespace
 }  // namespace wardslam::pipeline

@@ -46,7 +46,7 @@ TEST(TrajectoryRecorder, FramesOfARemovedKeyframeHangOnItsHeir) {
   record(recorder, 4.0, odometry::State::Ok, 1, at(4, 0));
   odometry::MapUpdate update;
   update.removedKeyframes = {{3, 2, at(0, 1)}, {2, 1, at(1, 0, M_PI / 2)}, {9, 1, at(0, 0)}};
-  recorder.apply(update);
+  recorder.onUpdate(update);
   const auto trajectory = recorder.corrected({{1, at(10, 0)}});
   ASSERT_EQ(trajectory.size(), 4U);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(trajectory[static_cast<std::size_t>(i)].stamp_s, i + 1.0) << "in order of time";

@@ -22,7 +22,6 @@ using mapping::FloorPlan;
 using mrpt::obs::CObservation2DRangeScan;
 using mrpt::obs::CObservation3DRangeScan;
 
-constexpr double kPoseSigma_m = 0.02;  ///< Of a keyframe, and as many rad; as graph.pose_graph has it.
 constexpr int kDirections = 720;
 constexpr double kStep_rad = 2.0 * M_PI / kDirections;
 constexpr double kFarthest_m = 10.0;
@@ -130,7 +129,7 @@ mrpt::maps::CSimpleMap toSimpleMap(const mapping::SemanticMap& map) {
     }
     if (!map.floorPlan.cells.empty()) addScans(map.floorPlan, T_map_sensor, core::toMrptTime(keyframe.stamp_s), *frame);
     auto pose = mrpt::poses::CPose3DPDFGaussian::Create(core::toMrpt(T_map_sensor));
-    pose->cov.setDiagonal(6, kPoseSigma_m * kPoseSigma_m);
+    pose->cov.setDiagonal(6, kKeyframePoseSigma * kKeyframePoseSigma);
     simple.insert(mrpt::poses::CPose3DPDF::Ptr(pose), frame);
   }
   return simple;

@@ -7,6 +7,7 @@
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
+#include "wardslam/mrpt_plugin/map_definitions.h"
 #include "wardslam/mrpt_plugin/semantic_metric_map.h"
 
 namespace wardslam::mrpt_plugin {
@@ -14,6 +15,7 @@ namespace {
 
 const std::vector<std::string> kOfAllMaps = {"enableSaveAs3DObject", "enableObservationLikelihood",
                                              "enableObservationInsertion"};
+const std::vector<std::string> kNames = {"wardslam::mrpt_plugin::CSemanticMap", "CSemanticMap", "semanticMap"};
 const std::vector<std::string> kSections = {"_creationOpts", "_insertOpts", "_likelihoodOpts", "_renderOpts"};
 
 [[noreturn]] void failOver(const std::string& where, const std::string& name, const std::vector<std::string>& known) {
@@ -41,12 +43,25 @@ void requireCreationKeys(const mrpt::config::CConfigFileBase& source, const std:
   }
 }
 
+/// Of "SECTION_NAME_00": where the maps are counted.
+std::string sectionOfCounts(const std::string& prefix) {
+  const std::string unnumbered = prefix.substr(0, prefix.rfind('_'));
+  for (const std::string& name : kNames) {
+    const std::string ending = "_" + name;
+    if (unnumbered.size() <= ending.size()) continue;
+    const std::size_t length = unnumbered.size() - ending.size();
+    if (unnumbered.compare(length, ending.size(), ending) == 0) return unnumbered.substr(0, length);
+  }
+  return {};
+}
+
 }  // namespace
 
 CSemanticMap::TMapDefinition::TMapDefinition() = default;
 
 void CSemanticMap::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
                                                                    const std::string& prefix) {
+  requireKnownMaps(source, sectionOfCounts(prefix));
   requireSections(source, prefix);
   requireCreationKeys(source, prefix + "_creationOpts");
   insertionOpts.loadFromConfigFile(source, prefix + "_insertOpts");

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pose_tracker.h"
+#include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -44,8 +45,10 @@ class Odometry::Tracker {
   }
 
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features,
-                       const DepthImage& depth) {
-    const TrackedImage view{stamp_s, camera, features, depth, KeypointGrid(features.keypoints, camera), frame_++};
+                       const DepthImage& depth, const std::optional<MotionPrior>& motion) {
+    predict(motion);
+    const TrackedImage view{stamp_s,  camera,    features, depth, KeypointGrid(features.keypoints, camera),
+                            frame_++, predicted_};
     if (state_ == State::Initialising) return initialise(view);
     const Tracking tracking = find(view);
     return poseTracker_.isGood(tracking) ? accept(view, tracking) : lose(view, tracking);
@@ -68,6 +71,7 @@ class Odometry::Tracker {
     PointId nextPoint = 0;  ///< Points from here on are younger.
   };
 
+  void predict(const std::optional<MotionPrior>& motion);
   OdometryResult initialise(const TrackedImage& view);
   [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
                                                               const core::Keypoint& keypoint) const;
@@ -96,6 +100,9 @@ class Odometry::Tracker {
   Eigen::Isometry3d T_cam_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_cam_previous_ = Eigen::Isometry3d::Identity();  ///< Motion of the last frame.
   std::vector<PointId> lastSeen_;                                     ///< Points found in the last tracked frame.
+  /// Where motion priors lead from the last tracked frame; nothing where one was missing.
+  std::optional<PosePrior> predicted_;
+  std::uint64_t framesSincePose_ = 0;
   LastKeyframe lastKeyframe_;
   std::deque<AwaitedKeyframe> awaited_;  ///< Of this submap, oldest first.
   std::uint32_t submap_ = 0;
@@ -109,19 +116,35 @@ core::SemanticDescriptor Odometry::Tracker::semanticDescriptorOf(const core::Fea
   return isAsked ? features.semanticDescriptors->of(keypoint) : core::SemanticDescriptor{};
 }
 
+void Odometry::Tracker::predict(const std::optional<MotionPrior>& motion) {
+  const bool isNext = framesSincePose_++ == 0;
+  if (!motion || !hasStarted_ || (!isNext && !predicted_)) {
+    predicted_.reset();
+    return;
+  }
+  const PosePrior from = isNext ? PosePrior{T_cam_map_, PoseCovariance::Zero()} : *predicted_;
+  const MotionPrior way = composed({Eigen::Isometry3d::Identity(), from.covariance}, *motion);
+  predicted_ = PosePrior{core::rigid(way.T_previous_now.inverse() * from.T_cam_map), way.covariance};
+}
+
 OdometryResult Odometry::Tracker::initialise(const TrackedImage& view) {
   const auto newPoints = newPointCandidates(view, {});
   if (static_cast<int>(newPoints.size()) < options_.min_initial_points) return {};
+  if (view.prior) T_cam_map_ = view.prior->T_cam_map;
   state_ = State::Ok;
   hasStarted_ = true;
+  framesSincePose_ = 0;
   lastTracked_s_ = view.stamp_s;
   T_cam_previous_ = Eigen::Isometry3d::Identity();
-  return result({}, insertKeyframe(view, {}, newPoints));
+  OdometryResult begun = result({}, insertKeyframe(view, {}, newPoints));
+  begun.covariance = PoseCovariance::Zero();  // of a piece of its own, which begins here
+  return begun;
 }
 
 Tracking Odometry::Tracker::find(const TrackedImage& view) const {
-  if (state_ == State::Ok) {
-    const Tracking tracking = poseTracker_.trackByMotion(view, map_, lastSeen_, T_cam_previous_ * T_cam_map_);
+  if (state_ == State::Ok || view.prior) {
+    const Tracking tracking = poseTracker_.trackByMotion(
+        view, map_, lastSeen_, view.prior ? view.prior->T_cam_map : T_cam_previous_ * T_cam_map_);
     if (poseTracker_.isGood(tracking)) return poseTracker_.trackNeighbourhood(view, map_, tracking);
   }
   Tracking tracking = poseTracker_.relocalise(view, map_);
@@ -139,22 +162,33 @@ bool Odometry::Tracker::isWithinReach(const TrackedImage& view, const Tracking& 
 
 OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Tracking& tracking) {
   const bool wasOk = state_ == State::Ok;
+  const PoseCovariance covariance = poseTracker_.covariance(view, map_, tracking);
   T_cam_previous_ = wasOk ? tracking.T_cam_map * T_cam_map_.inverse() : Eigen::Isometry3d::Identity();
   T_cam_map_ = tracking.T_cam_map;
   lastTracked_s_ = view.stamp_s;
   state_ = State::Ok;
   framesLost_ = 0;
+  framesSincePose_ = 0;
   updateMap(view, tracking);
 
   lastKeyframe_.mostTracked = std::max(lastKeyframe_.mostTracked, tracking.inliers.size());
   const auto newPoints = newPointCandidates(view, tracking);
   const bool isKeyframe = needsKeyframe(view, tracking, newPoints.size());
-  return result(tracking, isKeyframe ? insertKeyframe(view, tracking, newPoints) : nullptr);
+  OdometryResult accepted = result(tracking, isKeyframe ? insertKeyframe(view, tracking, newPoints) : nullptr);
+  accepted.covariance = covariance;
+  return accepted;
 }
 
 OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking& tracking) {
   state_ = State::Lost;
-  if (++framesLost_ <= options_.max_lost_frames) return result(tracking, nullptr);
+  if (++framesLost_ <= options_.max_lost_frames) {
+    OdometryResult lost = result(tracking, nullptr);
+    if (view.prior) {
+      lost.T_map_cam = view.prior->T_cam_map.inverse();
+      lost.covariance = view.prior->covariance;
+    }
+    return lost;
+  }
   beginSubmap();
   return initialise(view);
 }
@@ -282,6 +316,7 @@ void Odometry::Tracker::moveWhatIsYounger(const Eigen::Isometry3d& correction) {
   for (AwaitedKeyframe& keyframe : awaited_) keyframe.T_map_cam = correction * keyframe.T_map_cam;
   lastKeyframe_.T_map_cam = awaited_.back().T_map_cam;
   T_cam_map_ = T_cam_map_ * correction.inverse();
+  if (predicted_) predicted_->T_cam_map = predicted_->T_cam_map * correction.inverse();
 }
 
 Odometry::Odometry(const OdometryOptions& options, const Continuation& earlier)
@@ -295,8 +330,8 @@ bool Odometry::hasStarted() const { return tracker_->hasStarted(); }
 void Odometry::startFrom(const Eigen::Isometry3d& T_map_cam) { tracker_->startFrom(T_map_cam); }
 
 OdometryResult Odometry::track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures,
-                               const DepthImage& depth) {
-  return tracker_->track(stamp_s, camera, staticFeatures, depth);
+                               const DepthImage& depth, const std::optional<MotionPrior>& motion) {
+  return tracker_->track(stamp_s, camera, staticFeatures, depth, motion);
 }
 
 Eigen::Isometry3d Odometry::apply(const MapUpdate& update) { return tracker_->apply(update); }

@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/calib3d.hpp>
@@ -23,6 +24,40 @@ struct PoseError {
     return error(pose, p_map.data(), residual);
   }
 };
+
+/// Where the camera is in the frame of the camera where it ought to be, in units of the standard deviation.
+struct PriorError {
+  explicit PriorError(const PosePrior& prior)
+      : predicted(toPoseVector(prior.T_cam_map)),
+        squareRootInformation(Eigen::LLT<PoseCovariance>(prior.covariance.inverse()).matrixU()) {}
+
+  template <class T>
+  bool operator()(const T* pose, T* residual) const {
+    using Vector3 = Eigen::Matrix<T, 3, 1>;
+    const Vector3 turnBack(-pose[0], -pose[1], -pose[2]);
+    const Eigen::Matrix<T, 6, 1> from = predicted.cast<T>();
+    T q_map_cam[4];
+    T q_predicted_map[4];
+    T q_predicted_cam[4];
+    ceres::AngleAxisToQuaternion(turnBack.data(), q_map_cam);
+    ceres::AngleAxisToQuaternion(from.data(), q_predicted_map);
+    ceres::QuaternionProduct(q_predicted_map, q_map_cam, q_predicted_cam);
+    Vector3 turned;
+    ceres::QuaternionRotatePoint(q_predicted_cam, pose + 3, turned.data());
+    Eigen::Matrix<T, 6, 1> error;
+    error.template head<3>() = from.template tail<3>() - turned;
+    ceres::QuaternionToAngleAxis(q_predicted_cam, error.data() + 3);
+    Eigen::Map<Eigen::Matrix<T, 6, 1>> weighted(residual);
+    weighted = squareRootInformation.cast<T>() * error;
+    return true;
+  }
+
+  PoseVector predicted;
+  PoseCovariance squareRootInformation;
+};
+
+/// 95 % of motions that are as sure as said have a smaller squared error (chi-square, 6 degrees of freedom).
+constexpr double kChiSquareOfPrior = 12.592;
 
 class ErrorModel {
  public:
@@ -51,9 +86,27 @@ class ErrorModel {
   const core::CameraModel& camera_;
 };
 
+/// d (measurement in units of its standard deviation) / d (translation, rotation vector of the camera's own motion).
+Eigen::Matrix<double, 3, 6> jacobian(const PointObservation& observation, const core::CameraModel& camera,
+                                     const PoseSolverOptions& options, const Eigen::Vector3d& p_cam_m) {
+  const core::Keypoint& keypoint = observation.keypoint;
+  const double sigma_px = options.pixel_sigma_px * static_cast<double>(keypoint.scale);
+  const double depth_m = static_cast<double>(keypoint.depth_m);
+  const double z_m = p_cam_m.z();
+  Eigen::Matrix3d ofPoint;
+  ofPoint << camera.fx_px / z_m / sigma_px, 0.0, -camera.fx_px * p_cam_m.x() / (z_m * z_m) / sigma_px,  //
+      0.0, camera.fy_px / z_m / sigma_px, -camera.fy_px * p_cam_m.y() / (z_m * z_m) / sigma_px,         //
+      0.0, 0.0, keypoint.hasDepth() ? 1.0 / (options.depth_sigma_scale * camera.depthNoise.sigma_m(depth_m)) : 0.0;
+  Eigen::Matrix<double, 3, 6> ofPose;
+  ofPose.leftCols<3>() = -Eigen::Matrix3d::Identity();
+  ofPose.rightCols<3>() << 0.0, -p_cam_m.z(), p_cam_m.y(), p_cam_m.z(), 0.0, -p_cam_m.x(), -p_cam_m.y(), p_cam_m.x(),
+      0.0;
+  return ofPoint * ofPose;
+}
+
 /// Least squares over the observations that `use` selects; `robust` bends the cost of large errors (Huber).
 void minimise(const std::vector<PointObservation>& observations, const std::vector<bool>& use, bool robust,
-              const ErrorModel& model, int maxIterations, PoseVector& pose) {
+              const ErrorModel& model, int maxIterations, const PosePrior* prior, PoseVector& pose) {
   ceres::Problem problem;
   for (std::size_t i = 0; i < observations.size(); ++i) {
     if (!use[i]) continue;
@@ -62,6 +115,10 @@ void minimise(const std::vector<PointObservation>& observations, const std::vect
     problem.AddResidualBlock(model.cost(observations[i]), weightedLoss(loss, keypoint), pose.data());
   }
   if (problem.NumResidualBlocks() < 3) return;
+  if (prior != nullptr) {
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<PriorError, 6, 6>(new PriorError(*prior)),
+                             new ceres::HuberLoss(std::sqrt(kChiSquareOfPrior)), pose.data());
+  }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = maxIterations;
@@ -73,9 +130,9 @@ void minimise(const std::vector<PointObservation>& observations, const std::vect
 
 /// Minimises over the observations that `use` selects, then over those that fit.
 PoseEstimate refineFrom(PoseVector pose, std::vector<bool> use, const std::vector<PointObservation>& observations,
-                        const ErrorModel& model, int maxIterations) {
+                        const ErrorModel& model, int maxIterations, const PosePrior* prior = nullptr) {
   for (const bool robust : {true, true, false}) {
-    minimise(observations, use, robust, model, maxIterations, pose);
+    minimise(observations, use, robust, model, maxIterations, prior, pose);
     for (std::size_t i = 0; i < observations.size(); ++i) use[i] = model.isInlier(observations[i], pose);
   }
   const auto inliers = static_cast<int>(std::count(use.begin(), use.end(), true));
@@ -85,13 +142,28 @@ PoseEstimate refineFrom(PoseVector pose, std::vector<bool> use, const std::vecto
 }  // namespace
 
 PoseEstimate PoseSolver::refine(const std::vector<PointObservation>& observations, const core::CameraModel& camera,
-                                const Eigen::Isometry3d& T_cam_map_guess) const {
+                                const Eigen::Isometry3d& T_cam_map_guess, const PosePrior* prior) const {
   if (observations.size() < 3) return {T_cam_map_guess, std::vector<bool>(observations.size(), false), 0};
   const ErrorModel model(options_, camera);
   const PoseVector pose = toPoseVector(T_cam_map_guess);
   std::vector<bool> use;
   for (const auto& observation : observations) use.push_back(model.isInFront(observation, pose));
-  return refineFrom(pose, std::move(use), observations, model, options_.max_iterations);
+  return refineFrom(pose, std::move(use), observations, model, options_.max_iterations, prior);
+}
+
+PoseCovariance PoseSolver::covariance(const std::vector<PointObservation>& observations,
+                                      const core::CameraModel& camera, const Eigen::Isometry3d& T_cam_map,
+                                      const PosePrior* prior) const {
+  constexpr double kAlmostNothing = 1e-6;  // of a standard deviation of a kilometre
+  PoseCovariance information = kAlmostNothing * PoseCovariance::Identity();
+  if (prior != nullptr) information += prior->covariance.inverse();
+  for (const PointObservation& observation : observations) {
+    const Eigen::Vector3d p_cam_m = T_cam_map * observation.p_map_m;
+    if (p_cam_m.z() < 0.01) continue;
+    const auto J = jacobian(observation, camera, options_, p_cam_m);
+    information += static_cast<double>(observation.keypoint.staticProbability) * J.transpose() * J;
+  }
+  return information.inverse();
 }
 
 PoseEstimate PoseSolver::solve(const std::vector<PointObservation>& observations,

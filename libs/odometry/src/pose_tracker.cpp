@@ -8,6 +8,8 @@ namespace {
 constexpr double kElsewhere_m = 0.5;
 constexpr double kElsewhere_rad = 0.3;
 
+const PosePrior* priorOf(const TrackedImage& view) { return view.prior ? &*view.prior : nullptr; }
+
 /// Nothing it could rest on: for who counts matches.
 Tracking refused(Tracking tracking) {
   tracking.inliers.clear();
@@ -107,12 +109,16 @@ std::vector<Match> PoseTracker::alike(const TrackedImage& view, const LocalMap& 
 
 Tracking PoseTracker::estimate(const TrackedImage& view, const LocalMap& map, const std::vector<Match>& matches,
                                const Eigen::Isometry3d& T_cam_map) const {
-  const PoseEstimate pose = solver_.refine(observe(view, map, matches), view.camera, T_cam_map);
+  const PoseEstimate pose = solver_.refine(observe(view, map, matches), view.camera, T_cam_map, priorOf(view));
   Tracking tracking{pose.T_cam_map, {}, {}, static_cast<int>(matches.size())};
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (pose.isInlier[i]) tracking.inliers.push_back(matches[i]);
   }
   return tracking;
+}
+
+PoseCovariance PoseTracker::covariance(const TrackedImage& view, const LocalMap& map, const Tracking& tracking) const {
+  return solver_.covariance(observe(view, map, tracking.inliers), view.camera, tracking.T_cam_map, priorOf(view));
 }
 
 std::vector<PointObservation> PoseTracker::observe(const TrackedImage& view, const LocalMap& map,

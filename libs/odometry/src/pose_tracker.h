@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "local_map.h"
 #include "wardslam/odometry/depth_view.h"
 #include "wardslam/odometry/keypoint_grid.h"
 #include "wardslam/odometry/matcher.h"
+#include "wardslam/odometry/motion_prior.h"
 #include "wardslam/odometry/odometry_options.h"
 #include "wardslam/odometry/pose_solver.h"
 
@@ -20,6 +22,7 @@ struct TrackedImage {
   const DepthImage& depth;
   KeypointGrid grid;
   std::uint64_t frame;
+  std::optional<PosePrior> prior;  ///< Where others say that the camera is.
 };
 
 /// A pose and the matches it rests on.
@@ -51,6 +54,10 @@ class PoseTracker {
   /// From nothing: by looks, which most of what should be in sight, its depth and the lack of another place like it
   /// must bear out, for one place of a hospital looks like another. Else without inliers.
   [[nodiscard]] Tracking relocalise(const TrackedImage& view, const LocalMap& map) const;
+
+  /// Of a pose found in this image.
+  [[nodiscard]] PoseCovariance covariance(const TrackedImage& view, const LocalMap& map,
+                                          const Tracking& tracking) const;
 
  private:
   [[nodiscard]] Tracking search(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& points,

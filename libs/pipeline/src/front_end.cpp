@@ -40,7 +40,8 @@ FrontEnd::FrontEnd(const SlamOptions& options, const odometry::Continuation& ear
   requireValid(mapFrame_);
 }
 
-FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
+FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation,
+                                   const std::optional<odometry::MotionPrior>& motion) {
   core::removeAnnotation(*observation);  // of an earlier run
   core::Frame frame = profiler_.time("sources.build_frame", [&] { return frameBuilder_.build(observation); });
   filters_.begin(frame);                                                  // segmentation starts in its own thread,
@@ -48,9 +49,11 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
   profiler_.time("filters.apply", [&] { filters_.apply(frame); });        // and what moves is marked
   if (annotates_) profiler_.time("filters.annotate", [&] { filters::annotateObservation(frame); });
   if (!odometry_.hasStarted()) odometry_.startFrom(startPose(mapFrame_, frame));
+  std::optional<odometry::MotionPrior> ofCamera;
+  if (motion) ofCamera = odometry::transformed(*motion, frame.T_base_cam);
   auto odometry = profiler_.time("odometry.track", [&] {
     return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features),
-                           {frame.depth_m, frame.mayMove});
+                           {frame.depth_m, frame.mayMove}, ofCamera);
   });
   if (odometry.keyframe) {
     odometry.keyframe =

@@ -1,6 +1,8 @@
 #include "wardslam/pipeline/slam_system.h"
 
 #include <algorithm>
+#include <chrono>
+#include <future>
 #include <string>
 #include <utility>
 
@@ -57,6 +59,17 @@ std::unique_ptr<mapping::MapBuilder> makeMapBuilder(const SlamOptions& options, 
 
 ViewSelection makeViewSelection(const SlamOptions& options) { return {options.mapping.views, options.segments()}; }
 
+/// What `ask` finds out in the stage, after all that was posted to it before.
+template <class Worker, class Ask>
+auto askInTurn(core::Stage<Worker>& stage, Ask ask) {
+  auto answer = std::make_shared<std::promise<decltype(ask(std::declval<Worker&>()))>>();
+  auto answered = answer->get_future();
+  stage.post([answer, ask](Worker& worker) { answer->set_value(ask(worker)); });
+  constexpr std::chrono::milliseconds kLookAgain{20};  // a stage that has failed answers nothing
+  while (answered.wait_for(kLookAgain) != std::future_status::ready) stage.rethrowFailure();
+  return answered.get();
+}
+
 core::StageThread threadOf(const SlamOptions& options) {
   return options.deterministic ? core::StageThread::Caller : core::StageThread::Own;
 }
@@ -105,27 +118,33 @@ void SlamSystem::writeTo(storage::MapFileWriter& writer) {
   if (mapFeed_) mapFeed_->writeTo(writer);
 }
 
-odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation) {
+odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation,
+                                             const std::optional<odometry::MotionPrior>& motion) {
   core::Profiler& profiler = frontEnd_.profiler();
   const auto timing = profiler.measure("pipeline.process");
-  auto [frame, odometry] = frontEnd_.process(observation);
+  auto [frame, odometry] = frontEnd_.process(observation, motion);
   if (odometry.keyframe) {
     const auto insertion = profiler.measure("graph.insert");
     insert(odometry.keyframe);
   }
   graphBuilding_.rethrowFailure();
-  const auto updates = mapUpdates_.takeAll();
-  for (const auto& update : updates) {
-    const auto application = profiler.measure("odometry.apply");
-    frontEnd_.apply(update);
-    trajectory_.apply(update);
-    pieces_.apply(update);
-  }
+  const auto updates = takeOverUpdates();
   if (odometry.keyframe) pieces_.add(odometry.keyframe->id, odometry.keyframe->submap);
   if (odometry.hasPose()) noteRecognition(odometry.piece, frame.stamp_s);
   if (mapFeed_) mapFeed_->update(frame, odometry, updates);
   for (FrameObserver* observer : observers_) observer->onFrame(frame, odometry);
   return odometry;
+}
+
+std::vector<odometry::MapUpdate> SlamSystem::takeOverUpdates() {
+  auto updates = mapUpdates_.takeAll();
+  for (const auto& update : updates) {
+    const auto application = frontEnd_.profiler().measure("odometry.apply");
+    frontEnd_.apply(update);
+    pieces_.apply(update);
+    for (FrameObserver* observer : observers_) observer->onUpdate(update);
+  }
+  return updates;
 }
 
 /// In an earlier map, a run knows where it is once its piece is one with the map.
@@ -146,8 +165,8 @@ void SlamSystem::finish() {
   failure.attempt([this] { finishGraph(); });
   failure.attempt([this] {
     for (const auto& update : mapUpdates_.takeAll()) {
-      trajectory_.apply(update);
       pieces_.apply(update);
+      for (FrameObserver* observer : observers_) observer->onUpdate(update);
       if (mapFeed_) mapFeed_->apply(update);
     }
   });
@@ -181,24 +200,44 @@ mapping::SemanticMap SlamSystem::semanticMap() const {
   return mapBuilder_ ? mapBuilder_->map() : mapping::SemanticMap{};
 }
 
-core::Trajectory SlamSystem::trajectory() const {
-  const auto map = mapper_->pieces().map();
-  return map ? trajectoryIn(*map) : core::Trajectory{};
+MapSoFar SlamSystem::mapSoFar() {
+  const auto posesInMap = [](const graph::Mapper& mapper) {
+    const auto map = mapper.pieces().map();
+    return map ? posesIn(mapper, *map) : std::map<odometry::KeyframeId, Eigen::Isometry3d>{};
+  };
+  MapSoFar soFar;
+  soFar.T_map_cam = mapper_ ? posesInMap(*mapper_) : askInTurn(graphBuilding_, posesInMap);
+  for (const auto& update : takeOverUpdates()) {
+    if (mapFeed_) mapFeed_->apply(update);
+  }
+  soFar.trajectory = trajectory_.corrected(soFar.T_map_cam);
+  if (mapBuilder_ || !mapBuilding_) {
+    soFar.semantic = semanticMap();
+  } else {
+    soFar.semantic = askInTurn(*mapBuilding_, [](mapping::MapBuilder& builder) { return builder.map(); });
+  }
+  return soFar;
 }
 
-core::Trajectory SlamSystem::trajectoryIn(std::uint32_t piece) const {
+core::Trajectory SlamSystem::trajectory() const {
+  const auto map = mapper_->pieces().map();
+  return map ? trajectory_.corrected(posesIn(*mapper_, *map)) : core::Trajectory{};
+}
+
+std::map<odometry::KeyframeId, Eigen::Isometry3d> SlamSystem::posesIn(const graph::Mapper& mapper,
+                                                                      std::uint32_t piece) {
   std::map<odometry::KeyframeId, Eigen::Isometry3d> T_map_keyframe;
-  for (const auto& [id, node] : mapper_->graph().keyframes()) {
+  for (const auto& [id, node] : mapper.graph().keyframes()) {
     if (node.submap == piece) T_map_keyframe.emplace(id, node.T_map_cam);
   }
-  return trajectory_.corrected(T_map_keyframe);
+  return T_map_keyframe;
 }
 
 std::map<std::uint32_t, core::Trajectory> SlamSystem::unjoinedTrajectories() const {
   std::map<std::uint32_t, core::Trajectory> trajectories;
   for (const auto& [piece, keyframes] : mapper_->pieces().sizes()) {
     if (mapper_->pieces().isMap(piece)) continue;
-    auto trajectory = trajectoryIn(piece);
+    auto trajectory = trajectory_.corrected(posesIn(*mapper_, piece));
     if (!trajectory.empty()) trajectories.emplace(piece, std::move(trajectory));
   }
   return trajectories;

@@ -48,9 +48,11 @@ void requireValid(const MapFrameOptions& options) {
 Eigen::Isometry3d startPose(const MapFrameOptions& options, const core::Frame& firstFrame) {
   requireValid(options);
   if (!options.start_pose.empty()) return *parsePose(options.start_pose);
-  if (!options.level_with_floor) return firstFrame.T_base_cam;
-  return mapping::levelWithFloor(firstFrame.depth_m, firstFrame.camera, firstFrame.T_base_cam)
-      .value_or(firstFrame.T_base_cam);
+  Eigen::Isometry3d T_start_cam = firstFrame.T_base_cam;
+  if (options.level_with_floor) {
+    T_start_cam = mapping::levelWithFloor(firstFrame.depth_m, firstFrame.camera, T_start_cam).value_or(T_start_cam);
+  }
+  return options.T_map_base ? *options.T_map_base * T_start_cam : T_start_cam;
 }
 
 }  // namespace wardslam::pipeline

@@ -8,7 +8,7 @@ void TrajectoryRecorder::onFrame(const core::Frame& frame, const odometry::Odome
   if (odometry.hasPose()) framesOf_[odometry.referenceKeyframe].push_back({frame.stamp_s, odometry.T_keyframe_cam});
 }
 
-void TrajectoryRecorder::apply(const odometry::MapUpdate& update) {
+void TrajectoryRecorder::onUpdate(const odometry::MapUpdate& update) {
   for (const auto& removed : update.removedKeyframes) {
     const auto frames = framesOf_.extract(removed.id);
     if (frames.empty()) continue;

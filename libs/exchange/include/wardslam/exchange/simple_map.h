@@ -6,6 +6,9 @@
 
 namespace wardslam::exchange {
 
+/// Of a keyframe's pose, in m and in rad: a round figure, as graph.pose_graph has it.
+inline constexpr double kKeyframePoseSigma = 0.02;
+
 /// The map as MRPT's programs make maps from (observations2map, CMetricMap::loadFromSimpleMap()): one entry per
 /// keyframe, in order. Its pose is that of the sensor (x forward, z up), and observed was
 ///

@@ -11,6 +11,7 @@
 #include "wardslam/odometry/depth_view.h"
 #include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/map_update.h"
+#include "wardslam/odometry/motion_prior.h"
 #include "wardslam/odometry/odometry_options.h"
 #include "wardslam/odometry/pieces.h"
 
@@ -23,7 +24,11 @@ enum class State { Initialising, Ok, Lost };
 /// What tracking made of one image.
 struct OdometryResult {
   State state = State::Initialising;
-  Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();  ///< Meaningful when state is Ok.
+  /// Meaningful when state is Ok. When it is Lost: where the camera was last, or where motion priors since then lead.
+  Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+  /// How sure that is (MotionPrior::covariance, in the camera frame) within the local map, taken for exact: what the
+  /// map itself has drifted is not in it. Nothing where nobody knows: lost without motion priors.
+  std::optional<PoseCovariance> covariance;
   KeyframeId referenceKeyframe = 0;  ///< The newest keyframe; corrections of its pose move this one along.
   Eigen::Isometry3d T_keyframe_cam = Eigen::Isometry3d::Identity();
   int matches = 0;                           ///< Map points found in the image.
@@ -67,9 +72,10 @@ class Odometry {
   void startFrom(const Eigen::Isometry3d& T_map_cam);
 
   /// Finds the camera's pose from the static features of the next image. Its depth tells places that look the same
-  /// apart, and goes along with keyframes.
+  /// apart, and goes along with keyframes. `motion`: of the camera since the image before, in place of a constant
+  /// velocity; it also counts as a measurement of the pose, and leads on where the image shows too little.
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures,
-                       const DepthImage& depth = {});
+                       const DepthImage& depth = {}, const std::optional<MotionPrior>& motion = {});
 
   /// Takes over better positions of points and keyframes. After a loop, what the mapper did not know yet, the camera
   /// above all, moves as the newest keyframe does that it knew; an update of a submap that tracking has left changes

@@ -5,6 +5,7 @@
 
 #include "wardslam/core/camera_model.h"
 #include "wardslam/core/keypoint.h"
+#include "wardslam/odometry/motion_prior.h"
 #include "wardslam/odometry/odometry_options.h"
 
 namespace wardslam::odometry {
@@ -27,9 +28,17 @@ class PoseSolver {
  public:
   explicit PoseSolver(const PoseSolverOptions& options) : options_(options) {}
 
-  /// From a guess that is near. Fewer than three observations: the guess, without inliers.
+  /// From a guess that is near. Fewer than three observations: the guess, without inliers. `prior` (may be null) is
+  /// one more measurement, by its covariance; what contradicts the image by far (wheels that slip) pulls no harder than
+  /// what just does.
   [[nodiscard]] PoseEstimate refine(const std::vector<PointObservation>& observations, const core::CameraModel& camera,
-                                    const Eigen::Isometry3d& T_cam_map_guess) const;
+                                    const Eigen::Isometry3d& T_cam_map_guess, const PosePrior* prior = nullptr) const;
+
+  /// How sure a pose that rests on these observations is (as MotionPrior has it, in the camera frame), were the points
+  /// of the map exact. What no observation says has a huge variance.
+  [[nodiscard]] PoseCovariance covariance(const std::vector<PointObservation>& observations,
+                                          const core::CameraModel& camera, const Eigen::Isometry3d& T_cam_map,
+                                          const PosePrior* prior = nullptr) const;
 
   /// From nothing (RANSAC over minimal sets), then refined. No pose found: no inliers.
   [[nodiscard]] PoseEstimate solve(const std::vector<PointObservation>& observations,

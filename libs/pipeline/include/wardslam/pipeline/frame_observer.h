@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wardslam/core/frame.h"
+#include "wardslam/odometry/map_update.h"
 #include "wardslam/odometry/odometry.h"
 
 namespace wardslam::pipeline {
@@ -10,6 +11,8 @@ class FrameObserver {
  public:
   virtual ~FrameObserver() = default;
   virtual void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) = 0;
+  /// What the map found out of keyframes of earlier frames; between frames, and in SlamSystem::finish().
+  virtual void onUpdate(const odometry::MapUpdate& /*update*/) {}
 };
 
 }  // namespace wardslam::pipeline

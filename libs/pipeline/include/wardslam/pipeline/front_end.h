@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "wardslam/core/frame.h"
@@ -37,8 +38,9 @@ class FrontEnd {
 
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
   /// core::InputError for what no later observation mends. Annotates the observation with what the filters found,
-  /// unless SlamOptions::annotate forbids it.
-  Result process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
+  /// unless SlamOptions::annotate forbids it. `motion`: of the robot's base since the observation before.
+  Result process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation,
+                 const std::optional<odometry::MotionPrior>& motion = {});
 
   /// Takes over what the map found out.
   void apply(const odometry::MapUpdate& update);

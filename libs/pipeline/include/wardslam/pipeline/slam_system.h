@@ -28,6 +28,13 @@ namespace wardslam::pipeline {
 
 class MapFeed;
 
+/// What a run knows while it goes on.
+struct MapSoFar {
+  std::map<odometry::KeyframeId, Eigen::Isometry3d> T_map_cam;  ///< Of the keyframes of the map.
+  core::Trajectory trajectory;                                  ///< Every frame tracked in the map.
+  mapping::SemanticMap semantic;                                ///< Empty when `mapping.enabled` is false.
+};
+
 /// From observations to the camera's pose among moving people: the main loop.
 ///
 ///     SlamSystem slam(readSlamOptions("wardslam.yaml"));
@@ -45,8 +52,14 @@ class SlamSystem {
   void setDepthNoise(const core::DepthNoise& noise) { frontEnd_.setDepthNoise(noise); }
 
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
-  /// core::InputError for what no later observation mends. Annotates the observation.
-  odometry::OdometryResult process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation);
+  /// core::InputError for what no later observation mends. Annotates the observation. `motion`: of the robot's base
+  /// since the observation before, by what is no camera (odometry::isUsable()).
+  odometry::OdometryResult process(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& observation,
+                                   const std::optional<odometry::MotionPrior>& motion = {});
+
+  /// What all observations until now have come to, once they are worked in; the run may go on after it. After finish():
+  /// what there is in the end.
+  [[nodiscard]] MapSoFar mapSoFar();
 
   /// After the last observation, also when process() has thrown: waits for what is still being worked into the map.
   /// Throws what a thread of the map has thrown; the map is then as it was left, and all that is said to hold after
@@ -104,8 +117,10 @@ class SlamSystem {
   };
 
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
+  std::vector<odometry::MapUpdate> takeOverUpdates();
   void noteRecognition(std::uint32_t piece, double stamp_s);
-  [[nodiscard]] core::Trajectory trajectoryIn(std::uint32_t piece) const;
+  [[nodiscard]] static std::map<odometry::KeyframeId, Eigen::Isometry3d> posesIn(const graph::Mapper& mapper,
+                                                                                 std::uint32_t piece);
   void finishGraph();
 
   SlamOptions options_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 
 #include "wardslam/core/frame.h"
@@ -11,6 +12,9 @@ namespace wardslam::pipeline {
 struct MapFrameOptions {
   std::string start_pose;
   bool level_with_floor = true;
+  /// Where the robot's base stands on the floor (or its first base frame) at the first image; for programs that know,
+  /// not part of a file. Nothing: above the origin. `start_pose` overrules it.
+  std::optional<Eigen::Isometry3d> T_map_base;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {

@@ -16,7 +16,7 @@ class TrajectoryRecorder : public FrameObserver {
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
 
   /// Frames of keyframes that were removed hang on the heirs from now on.
-  void apply(const odometry::MapUpdate& update);
+  void onUpdate(const odometry::MapUpdate& update) override;
 
   /// One pose per frame tracked by one of these keyframes, by where they are now.
   [[nodiscard]] core::Trajectory corrected(

@@ -1,0 +1,44 @@
+#include "wardslam/odometry/motion_prior.h"
+
+#include <Eigen/Cholesky>
+
+#include "wardslam/core/rigid_transform.h"
+
+namespace wardslam::odometry {
+namespace {
+
+/// How a small motion (translation, rotation vector) of frame a looks in frame b of the same body.
+PoseCovariance adjoint(const Eigen::Isometry3d& T_b_a) {
+  const Eigen::Matrix3d R = T_b_a.linear();
+  const Eigen::Vector3d t = T_b_a.translation();
+  Eigen::Matrix3d cross;
+  cross << 0.0, -t.z(), t.y(), t.z(), 0.0, -t.x(), -t.y(), t.x(), 0.0;
+  PoseCovariance adjoint = PoseCovariance::Zero();
+  adjoint.topLeftCorner<3, 3>() = R;
+  adjoint.topRightCorner<3, 3>() = cross * R;
+  adjoint.bottomRightCorner<3, 3>() = R;
+  return adjoint;
+}
+
+}  // namespace
+
+PoseCovariance transformed(const PoseCovariance& ofA, const Eigen::Isometry3d& T_a_b) {
+  const PoseCovariance change = adjoint(T_a_b.inverse());
+  return change * ofA * change.transpose();
+}
+
+MotionPrior transformed(const MotionPrior& ofA, const Eigen::Isometry3d& T_a_b) {
+  return {core::rigid(T_a_b.inverse() * ofA.T_previous_now * T_a_b), transformed(ofA.covariance, T_a_b)};
+}
+
+MotionPrior composed(const MotionPrior& first, const MotionPrior& second) {
+  return {core::rigid(first.T_previous_now * second.T_previous_now),
+          transformed(first.covariance, second.T_previous_now) + second.covariance};
+}
+
+bool isUsable(const MotionPrior& prior) {
+  return prior.T_previous_now.matrix().allFinite() && prior.covariance.allFinite() &&
+         Eigen::LLT<PoseCovariance>(prior.covariance).info() == Eigen::Success;
+}
+
+}  // namespace wardslam::odometry
