@@ -138,20 +138,48 @@ TEST_F(JoinConfirmationTest, OneOfTwoPlacesThatLookAlikeIsNotChosen) {
   EXPECT_THAT(settle(), IsEmpty());
 }
 
-TEST_F(JoinConfirmationTest, AfterItWentFarUnseenOneRoomIsNotEnough) {
+/// As above, with a second between keyframes and `unseen_s` before the other piece.
+KeyframeGraph lostFor(double unseen_s) {
   KeyframeGraph lost;
   for (KeyframeId id = 1; id <= 28; ++id) {
     auto keyframe = std::make_shared<odometry::Keyframe>();
     keyframe->id = id;
     keyframe->submap = id < 15 ? 1 : 2;
-    keyframe->stamp_s = static_cast<double>(id) + (id < 15 ? 0.0 : 10.0);  // 1 m and 11 s at 1.5 m/s
+    keyframe->stamp_s = static_cast<double>(id) + (id < 15 ? 0.0 : unseen_s - 1.0);
     if (id != 1 && id != 15) keyframe->T_previous_cam = makePose({1, 0, 0});
     lost.insert(keyframe);
   }
+  return lost;
+}
+
+TEST_F(JoinConfirmationTest, AfterItWentFarUnseenOneRoomIsNotEnough) {
+  const KeyframeGraph lost = lostFor(11.0);
   for (KeyframeId newest = 15; newest <= 23; ++newest) {
     EXPECT_THAT(confirmation_.confirm(lost, newest, {strongLoop(newest - 14, newest)}), IsEmpty()) << newest;
   }
   EXPECT_THAT(confirmation_.confirm(lost, 24, {strongLoop(10, 24)}), SizeIs(10)) << "nine metres on";
+}
+
+/// A metre and 3 s at 1.5 m/s, to either side: 11 m.
+TEST_F(JoinConfirmationTest, AfterAFewSecondsUnseenOneLookIsBorneOutAllOverTheImage) {
+  const KeyframeGraph lost = lostFor(3.0);
+  for (KeyframeId newest = 15; newest <= 19; ++newest) {
+    EXPECT_THAT(confirmation_.confirm(lost, newest, {loop(newest - 14, newest)}), IsEmpty()) << newest;
+  }
+  Loop allOver = strongLoop(6, 20);
+  allOver.inliers = 40;
+  EXPECT_THAT(confirmation_.confirm(lost, 20, {allOver}), SizeIs(6));
+}
+
+/// From keyframe 14, which stands at x = 13, it went on at 1 m/s.
+TEST_F(JoinConfirmationTest, WhereItWasGoingAFewLooksAreEnough) {
+  const KeyframeGraph lost = lostFor(3.0);
+  const auto ahead = [](KeyframeId newer) {
+    return Loop{14, newer, makePose({static_cast<double>(newer) - 12.0, 0, 0}), 100, {}, {14}};
+  };
+  EXPECT_THAT(confirmation_.confirm(lost, 15, {ahead(15)}), IsEmpty());
+  EXPECT_THAT(confirmation_.confirm(lost, 16, {ahead(16)}), IsEmpty());
+  EXPECT_THAT(confirmation_.confirm(lost, 17, {ahead(17)}), SizeIs(3));
 }
 
 TEST_F(JoinConfirmationTest, InTheEndTakesTheBestThereWas) {
