@@ -65,7 +65,7 @@ class KeyframeGraph {
   void setFloor(KeyframeId id, KeyframeId floor) { keyframes_.at(id).floor = floor; }
   void setPosition(PointId id, const Eigen::Vector3d& p_map_m);
   void movePoint(PointId id, const Eigen::Isometry3d& correction);  ///< Within the map frame, with all known of it.
-  void removeSighting(KeyframeId keyframe, PointId point);  ///< And the point, when nobody else sees it.
+  void removeSighting(KeyframeId keyframe, PointId point);          ///< And the point, when nobody else sees it.
 
   /// With its sightings, and the points nobody else sees. Returns those. The newest keyframe must stay.
   std::vector<PointId> remove(KeyframeId id);
