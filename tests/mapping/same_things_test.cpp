@@ -91,6 +91,19 @@ TEST_F(SameThingsTest, AreNotThoseThatImagesToldApart) {
   EXPECT_THAT(same(), IsEmpty());
 }
 
+TEST_F(SameThingsTest, ShareLessWhereAnImageShowedBothAsOne) {
+  add(object(1, kChair, 0.0));
+  add(object(2, kChair, 0.6));  // shares .4
+  EXPECT_THAT(same(), IsEmpty());
+  database_.restore({{{1, 2}, {1, 0}}});
+  EXPECT_THAT(same(), ElementsAre(Pair(2, 1)));
+  database_.restore({{{1, 2}, {1, 1}}});
+  EXPECT_THAT(same(), IsEmpty()) << "and another showed two";
+  add(object(2, kChair, 0.75));
+  database_.restore({{{1, 2}, {1, 0}}});
+  EXPECT_THAT(same(), IsEmpty()) << "a quarter";
+}
+
 /// A chair that is known to be gone since 20 s, and one found since.
 class ReappearanceTest : public SameThingsTest {
  protected:

@@ -176,6 +176,11 @@ bool ObjectDatabase::areApart(ObjectId a, ObjectId b) const {
   return relation != relations_.end() && relation->second.apart > relation->second.together;
 }
 
+bool ObjectDatabase::areSeenAsOne(ObjectId a, ObjectId b) const {
+  const auto relation = relations_.find(ordered(a, b));
+  return relation != relations_.end() && relation->second.together > relation->second.apart;
+}
+
 void ObjectDatabase::merge(ObjectId from, ObjectId into) {
   const auto gone = objects_.find(from);
   const auto kept = objects_.find(into);

@@ -77,6 +77,7 @@ class ObjectDatabase {
   [[nodiscard]] const std::map<std::pair<ObjectId, ObjectId>, PairMemory>& pairs() const { return relations_; }
 
   /// Whether images showed the two as two things more often than as one.
+  [[nodiscard]] bool areSeenAsOne(ObjectId a, ObjectId b) const;  ///< By more images than told them apart.
   [[nodiscard]] bool areApart(ObjectId a, ObjectId b) const;
 
   void absorb(ObjectDatabase&& other);

@@ -10,6 +10,9 @@ namespace {
 /// Two objects of one class are one when their boxes share so much of the smaller.
 constexpr double kSameBox = 0.5;
 
+/// So much is enough where an image showed both as one.
+constexpr double kSameBoxSeenAsOne = 0.3;
+
 /// So few images show no more than one side of a thing.
 constexpr int kFewViews = 3;
 
@@ -39,11 +42,11 @@ double sharedOfSmaller(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& 
   return shared.isEmpty() ? 0.0 : shared.volume() / std::min(first.volume(), second.volume());
 }
 
-bool coverOnePlace(const MapObject& a, const MapObject& b, double margin_m) {
+bool coverOnePlace(const MapObject& a, const MapObject& b, bool areSeenAsOne, double margin_m) {
   if (a.classId != b.classId || a.state == ObjectState::Gone || b.state == ObjectState::Gone) return false;
   const double shared = sharedOfSmaller(a.box_m, b.box_m, margin_m);
   const bool isOneSide = std::min(a.views, b.views) <= kFewViews;
-  return shared > (isOneSide ? 0.0 : kSameBox);
+  return shared > (isOneSide ? 0.0 : areSeenAsOne ? kSameBoxSeenAsOne : kSameBox);
 }
 
 bool isInHands(const ObjectRecord& record) { return record.viewsToRest > 0; }
@@ -79,7 +82,8 @@ std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const ObjectTable& table, c
   std::vector<std::pair<ObjectId, ObjectId>> same;
   for (auto older = table.rows().begin(); older != table.rows().end(); ++older) {
     for (auto newer = std::next(older); newer != table.rows().end(); ++newer) {
-      if (!coverOnePlace(older->second, newer->second, margin_m)) continue;
+      const bool areSeenAsOne = database.areSeenAsOne(older->first, newer->first);
+      if (!coverOnePlace(older->second, newer->second, areSeenAsOne, margin_m)) continue;
       if (!database.areApart(older->first, newer->first)) same.emplace_back(newer->first, older->first);
     }
   }

@@ -9,9 +9,10 @@
 
 namespace wardslam::mapping {
 
-/// Objects that are one thing because they are of one class and their boxes share most of the smaller, or touch where
-/// only a few images show one of them, as one side of the other; unless images told them apart: {from, into}, the older
-/// one last. Boxes count as larger by `margin_m` on each side, for pictures and screens are flat.
+/// Objects that are one thing because they are of one class and their boxes share most of the smaller, or a third where
+/// an image showed both as one, or touch where only a few images show one of them, as one side of the other; unless
+/// images told them apart: {from, into}, the older one last. Boxes count as larger by `margin_m` on each side, for
+/// pictures and screens are flat.
 [[nodiscard]] std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const ObjectTable& table,
                                                                    const ObjectDatabase& database, double margin_m);
 
