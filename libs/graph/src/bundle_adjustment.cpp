@@ -206,8 +206,8 @@ AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, cons
   window.moved.insert(newest);
   const auto isHeld = [&graph](KeyframeId id) { return graph.keyframes().at(id).isHeld; };
   for (const auto& [id, shared] : graph.covisible(newest)) {
-    const bool moves = !isHeld(id) && !graph.keyframes().at(id).isSettled;
-    const bool isNeighbour = shared >= static_cast<std::size_t>(options.min_shared_points) && moves;
+    const bool mayMove = graph.keyframes().at(id).mayMove();
+    const bool isNeighbour = shared >= static_cast<std::size_t>(options.min_shared_points) && mayMove;
     if (isNeighbour && window.moved.size() < static_cast<std::size_t>(options.window)) window.moved.insert(id);
   }
   std::map<KeyframeId, std::size_t> others;
@@ -232,7 +232,7 @@ AdjustmentWindow localWindow(const KeyframeGraph& graph, KeyframeId newest, cons
 AdjustmentWindow globalWindow(const KeyframeGraph& graph, std::uint32_t submap) {
   AdjustmentWindow window;
   for (const auto& [id, node] : graph.keyframes()) {
-    if (node.submap != submap || node.isHeld || node.isSettled) continue;
+    if (node.submap != submap || !node.mayMove()) continue;
     window.moved.insert(id);
     for (const auto& [point, keypoint] : node.keypointOf) window.points.insert(point);
   }

@@ -347,7 +347,7 @@ void Mapper::optimisePoses(std::uint32_t submap) {
   std::set<KeyframeId> nodes;
   for (const auto& [id, pose] : poses.nodes) {
     nodes.insert(id);
-    if (isHeld(id) || graph_.keyframes().at(id).isSettled) held.insert(id);
+    if (!graph_.keyframes().at(id).mayMove()) held.insert(id);
   }
   optimise(poses, loopEdges, held, options_.pose_graph, FloorTies(graph_, nodes));
   std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;

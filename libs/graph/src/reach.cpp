@@ -96,6 +96,7 @@ struct Crossing {
   const Reach& reach;            ///< From there.
 };
 
+/// Calls for every keyframe of one of the loop's pieces that comes after one of the other.
 template <class Visit>
 void forEachCrossing(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options,
                      const Visit& visit) {

@@ -26,6 +26,8 @@ struct KeyframeNode {
   bool isRestored = false;                    ///< Of an earlier run.
   bool isSettled = false;                     ///< Stays where an earlier run left it, see KeyframeGraph::unsettle().
   KeyframeId floor = 0;  ///< The floor it stands on, by a keyframe that stood there first; 0: none known.
+
+  [[nodiscard]] bool mayMove() const { return !isHeld && !isSettled; }
 };
 
 /// A map point and the keyframes that see it.
