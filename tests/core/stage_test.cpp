@@ -119,7 +119,7 @@ TEST(StageInItsOwnThread, LeavesOutOldOptionalTasksButNoRequiredOnes) {
 }
 
 TEST(StageInItsOwnThread, RequiredTasksWaitForRoom) {
-  Stage<Worker> stage(worker(), StageThread::Own, {2, 12});
+  Stage<Worker> stage(worker(), StageThread::Own, {3, 12});
   Gate gate;
   gate.close(stage);
   stage.post(number(1));
@@ -137,8 +137,20 @@ TEST(StageInItsOwnThread, RequiredTasksWaitForRoom) {
   EXPECT_THAT(stage.finish()->done, ElementsAre(1, 2, 3, 4));
 }
 
-TEST(StageInItsOwnThread, WhoWaitsForRoomHearsOfTheFailure) {
+TEST(StageInItsOwnThread, ARequiredTaskTakesRoomUntilItIsDone) {
   Stage<Worker> stage(worker(), StageThread::Own, {1, 12});
+  Gate gate;
+  gate.close(stage);
+  auto second = std::async(std::launch::async, [&] { stage.post(number(1)); });
+  EXPECT_EQ(second.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
+  EXPECT_TRUE(stage.isWaitedFor());
+  gate.open();
+  second.get();
+  EXPECT_THAT(stage.finish()->done, ElementsAre(1));
+}
+
+TEST(StageInItsOwnThread, WhoWaitsForRoomHearsOfTheFailure) {
+  Stage<Worker> stage(worker(), StageThread::Own, {2, 12});
   std::promise<void> fail;
   std::promise<void> reached;
   stage.post([&](Worker&) {

@@ -105,5 +105,16 @@ TEST_F(RedundancyTest, TheHeirSharesMost) {
   EXPECT_TRUE(removed.T_heir_cam.isApprox(makePose({0, 2, 0})));
 }
 
+TEST_F(RedundancyTest, TheHeirOfWhatStaysInItsPlaceStaysToo) {
+  std::vector<PointId> ids(kPoints);
+  std::iota(ids.begin(), ids.end(), 1U);
+  graph_.restore(test::handMadeKeyframe(1, {1, 2, 3}), {});
+  graph_.restore(test::handMadeKeyframe(2, ids), {});
+  see(3);
+  EXPECT_EQ(heirOf(graph_, 2).heir, 1U) << "3 shares more with it, and may move";
+  graph_.unsettle(1);
+  EXPECT_EQ(heirOf(graph_, 2).heir, 3U);
+}
+
 }  // namespace
 }  // namespace wardslam::graph

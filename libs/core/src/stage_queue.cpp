@@ -62,10 +62,11 @@ void StageQueue::enqueue(Waiting waiting) {
   {
     std::unique_lock lock(mutex_);
     if (waiting.necessity == Necessity::Required) {
-      changed_.wait(lock, [this] { return failure_ || requiredWaiting_ < capacity_.required; });
+      isWaitedFor_ = isWaitedFor_ || requiredUndone_ >= capacity_.required;
+      changed_.wait(lock, [this] { return failure_ || requiredUndone_ < capacity_.required; });
     }
     if (failure_) std::rethrow_exception(failure_);
-    ++countOf(waiting.necessity);
+    ++(waiting.necessity == Necessity::Required ? requiredUndone_ : optionalWaiting_);
     waiting_.push_back(std::move(waiting));
     if (optionalWaiting_ > capacity_.optional) leaveOneOut();
     isWaitedFor_ = !waiting_.empty();
@@ -82,9 +83,9 @@ void StageQueue::leaveOneOut() {
 
 void StageQueue::run() {
   lowerThreadPriority();
-  while (const auto task = takeNext()) {
+  while (const auto next = takeNext()) {
     try {
-      task();
+      next->task();
     } catch (...) {
       {
         const std::lock_guard lock(mutex_);
@@ -93,26 +94,27 @@ void StageQueue::run() {
       changed_.notify_all();
       return;
     }
+    if (next->necessity == Necessity::Required) noteDone();
   }
 }
 
-std::function<void()> StageQueue::takeNext() {
-  std::function<void()> task;
+std::optional<StageQueue::Waiting> StageQueue::takeNext() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
+  if (waiting_.empty()) return std::nullopt;
+  Waiting next = std::move(waiting_.front());
+  waiting_.pop_front();
+  if (next.necessity == Necessity::Optional) --optionalWaiting_;
+  isWaitedFor_ = !waiting_.empty();
+  return next;
+}
+
+void StageQueue::noteDone() {
   {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
-    if (waiting_.empty()) return {};
-    --countOf(waiting_.front().necessity);
-    task = std::move(waiting_.front().task);
-    waiting_.pop_front();
-    isWaitedFor_ = !waiting_.empty();
+    const std::lock_guard lock(mutex_);
+    --requiredUndone_;
   }
   changed_.notify_all();
-  return task;
-}
-
-std::size_t& StageQueue::countOf(Necessity necessity) {
-  return necessity == Necessity::Required ? requiredWaiting_ : optionalWaiting_;
 }
 
 }  // namespace wardslam::core

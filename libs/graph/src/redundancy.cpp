@@ -46,9 +46,14 @@ bool isRedundant(const KeyframeGraph& graph, KeyframeId id, const RedundancyOpti
 }
 
 odometry::RemovedKeyframe heirOf(const KeyframeGraph& graph, KeyframeId id) {
-  const KeyframeId heir = graph.covisible(id).front().first;
-  const Eigen::Isometry3d T_heir_map = graph.keyframes().at(heir).T_map_cam.inverse();
-  return {id, heir, T_heir_map * graph.keyframes().at(id).T_map_cam};
+  const KeyframeNode& node = graph.keyframes().at(id);
+  const auto covisible = graph.covisible(id);
+  const auto staysLikeIt = [&](const auto& other) {
+    return node.mayMove() || !graph.keyframes().at(other.first).mayMove();
+  };
+  auto heir = std::find_if(covisible.begin(), covisible.end(), staysLikeIt);
+  if (heir == covisible.end()) heir = covisible.begin();
+  return {id, heir->first, graph.keyframes().at(heir->first).T_map_cam.inverse() * node.T_map_cam};
 }
 
 }  // namespace wardslam::graph

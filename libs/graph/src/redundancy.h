@@ -11,7 +11,8 @@ namespace wardslam::graph {
 /// recognised, a place holds only so many keyframes, however often one comes back.
 [[nodiscard]] bool isRedundant(const KeyframeGraph& graph, KeyframeId id, const RedundancyOptions& options);
 
-/// On which keyframe things can hang instead: the one that shares most points with it. There must be one.
+/// On which keyframe things can hang instead: the one that shares most points with it, and where it stays in its place,
+/// of those that stay too, so that what is settled goes on to stay. There must be one.
 [[nodiscard]] odometry::RemovedKeyframe heirOf(const KeyframeGraph& graph, KeyframeId id);
 
 }  // namespace wardslam::graph

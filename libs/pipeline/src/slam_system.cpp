@@ -74,8 +74,8 @@ core::StageThread threadOf(const SlamOptions& options) {
   return options.deterministic ? core::StageThread::Caller : core::StageThread::Own;
 }
 
-/// A recording waits when tracking is more than a keyframe ahead of the one in work: what tracking is told late of
-/// known places, it maps a second time, and fewer keyframes turn out to show nothing new.
+/// A recording waits at a keyframe until the one before is worked in: what tracking is told late of known places, it
+/// maps a second time, and fewer keyframes turn out to show nothing new.
 core::StageCapacity graphCapacity(WhenBehind whenBehind) {
   core::StageCapacity capacity;
   if (whenBehind == WhenBehind::Waits) capacity.required = 1;

@@ -7,6 +7,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace wardslam::core {
@@ -23,10 +24,10 @@ enum class Necessity {
   Optional,  ///< It may be left out, the oldest first.
 };
 
-/// How many tasks may wait.
+/// How many tasks there may be.
 struct StageCapacity {
-  std::size_t required = 64;  ///< At least 1.
-  std::size_t optional = 12;  ///< 0: these are always left out.
+  std::size_t required = 64;  ///< That are not done, the one in work among them; at least 1.
+  std::size_t optional = 12;  ///< That wait; 0: these are always left out.
 };
 
 /// The part of a Stage that does not depend on its worker; what its functions do is said there. For one calling
@@ -55,8 +56,8 @@ class StageQueue {
   void enqueue(Waiting waiting);
   void leaveOneOut();
   void run();
-  [[nodiscard]] std::function<void()> takeNext();
-  [[nodiscard]] std::size_t& countOf(Necessity necessity);
+  [[nodiscard]] std::optional<Waiting> takeNext();
+  void noteDone();
 
   StageCapacity capacity_;
   bool isFinished_ = false;  ///< Of the calling thread alone.
@@ -65,7 +66,7 @@ class StageQueue {
   mutable std::mutex mutex_;  // of what follows
   std::condition_variable changed_;
   std::deque<Waiting> waiting_;
-  std::size_t requiredWaiting_ = 0;
+  std::size_t requiredUndone_ = 0;
   std::size_t optionalWaiting_ = 0;
   std::size_t leftOut_ = 0;
   std::exception_ptr failure_;
