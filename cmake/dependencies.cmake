@@ -23,6 +23,7 @@ find_package(PCL 1.13 REQUIRED COMPONENTS common search filters segmentation)
 find_package(SQLiteCpp 3.2 REQUIRED)
 find_package(zstd REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
 find_package(octomap REQUIRED)
 find_package(embree REQUIRED)
 

@@ -23,6 +23,10 @@ void chooseSegmenter(const FilterArguments& arguments, pipeline::SegmentationSec
     options.type = Segmenter::Yolo;
     options.yolo.model = std::filesystem::absolute(arguments.model).string();
   }
+  if (!arguments.classes.empty()) {
+    const bool isThere = std::filesystem::exists(arguments.classes);
+    options.classes = (isThere ? std::filesystem::absolute(arguments.classes) : arguments.classes).string();
+  }
   if (arguments.noNetwork) options.type = Segmenter::None;
 }
 
@@ -37,8 +41,10 @@ void addFilterArguments(CLI::App& command, FilterArguments& arguments) {
   command.add_option("--config", arguments.config, "configuration (YAML); `wardslam config` prints the defaults");
   auto* masks = command.add_option("--masks", arguments.masks,
                                    "folder of recorded masks, one PNG of class ids per colour image, named by stamp");
-  auto* model = command.add_option("--model", arguments.model, "YOLO segmentation network (v5 or v8 layout, ONNX)")
-                    ->excludes(masks);
+  auto* model = command.add_option("--model", arguments.model, "YOLO segmentation network (ONNX)")->excludes(masks);
+  command.add_option("--classes", arguments.classes,
+                     "what the numbers of classes mean, in masks or from a network: a label file (YAML, "
+                     "'classes: [person, chair]' or 'classes: {255: person}')");
   command
       .add_flag("--no-network", arguments.noNetwork,
                 "tell what moves by geometry alone; else, without masks or a model, the network that comes with the "
@@ -75,6 +81,9 @@ pipeline::SlamOptions effectiveOptions(const FilterArguments& arguments, const s
   }
   if (!arguments.mode.empty() && !options.setFilterParameter(kSemanticFilter, "mode", arguments.mode)) {
     throw UsageError("--mode says how the SemanticDynamicFilter gets its masks, but that filter is not in use");
+  }
+  for (const std::string& sentence : segmentation::assumptionsOf(options.segmentation)) {
+    std::cerr << program << ": " << sentence << "\n";
   }
   return options;
 }

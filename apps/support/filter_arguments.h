@@ -16,17 +16,19 @@ struct FilterArguments {
   std::filesystem::path config;
   std::filesystem::path masks;
   std::filesystem::path model;
-  bool noNetwork = false;  ///< Nothing is segmented unless there are masks.
-  std::string filter;      ///< "on", "geometric", "off", or empty: on where something segments, else geometric.
+  std::filesystem::path classes;  ///< What numbers of classes mean.
+  bool noNetwork = false;         ///< Nothing is segmented unless there are masks.
+  std::string filter;             ///< "on", "geometric", "off", or empty: on where something segments, else geometric.
   std::string mode;
   bool deterministic = false;
 };
 
-/// --config, --masks, --model, --no-network, --mode.
+/// --config, --masks, --model, --classes, --no-network, --mode.
 void addFilterArguments(CLI::App& command, FilterArguments& arguments);
 
 /// The configuration file, overruled by the command line. Throws UsageError for arguments that contradict each other.
-/// Where nobody said what segments, tells on standard error, in the name of `program`, what does.
+/// Where nobody said what segments, tells on standard error, in the name of `program`, what does; likewise what has to
+/// be assumed of masks and networks.
 [[nodiscard]] pipeline::SlamOptions effectiveOptions(const FilterArguments& arguments, const std::string& program);
 
 }  // namespace wardslam::apps

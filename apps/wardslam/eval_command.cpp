@@ -8,9 +8,11 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "evaluated_trajectories.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/evaluation/absolute_trajectory_error.h"
 #include "wardslam/evaluation/coverage.h"
@@ -23,6 +25,7 @@ namespace {
 struct EvalArguments {
   std::filesystem::path groundTruth;
   std::filesystem::path trajectory;
+  std::optional<double> rate_hz;
   bool json = false;
 };
 
@@ -35,17 +38,21 @@ struct Evaluation {
 /// When the recording began and ended (UNIX s): its images say so where they are listed beside the ground truth, which
 /// often lasts longer than the images.
 std::pair<double, double> recordingSpan(const std::filesystem::path& groundTruthFile,
-                                        const core::Trajectory& groundTruth) {
+                                        const EvaluatedTrajectories& trajectories) {
+  const core::Trajectory& groundTruth = trajectories.groundTruth;
   const std::filesystem::path images = groundTruthFile.parent_path() / "rgb.txt";
   if (!std::filesystem::exists(images)) return {groundTruth.front().stamp_s, groundTruth.back().stamp_s};
-  const auto stamps_s = exchange::readTumStamps(images);
+  exchange::TrajectoryReading reading;
+  reading.rate_hz = trajectories.rate_hz;
+  const auto stamps_s = exchange::readTumStamps(images, reading);
   return {stamps_s.front(), stamps_s.back()};
 }
 
 Evaluation evaluate(const EvalArguments& arguments) {
-  const auto groundTruth = exchange::readTumTrajectory(arguments.groundTruth);
-  const auto trajectory = exchange::readTumTrajectory(arguments.trajectory);
-  const auto [begin_s, end_s] = recordingSpan(arguments.groundTruth, groundTruth);
+  const auto trajectories = readEvaluated(arguments.groundTruth, arguments.trajectory, arguments.rate_hz);
+  const auto& groundTruth = trajectories.groundTruth;
+  const auto& trajectory = trajectories.estimate;
+  const auto [begin_s, end_s] = recordingSpan(arguments.groundTruth, trajectories);
   try {
     return {evaluation::absoluteTrajectoryError(groundTruth, trajectory),
             evaluation::coverage(trajectory, begin_s, end_s), evaluation::relativePoseError(groundTruth, trajectory)};
@@ -106,6 +113,10 @@ void addEvalCommand(CLI::App& app) {
                    "long the recording is")
       ->required();
   command->add_option("TRAJECTORY", arguments->trajectory, "estimated poses, TUM format")->required();
+  command
+      ->add_option("--rate", arguments->rate_hz,
+                   "images a second, where the stamps of a trajectory number images (30 unless given)")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--json", arguments->json, "print JSON instead of a table");
   command->callback([arguments] {
     const Evaluation result = evaluate(*arguments);

@@ -48,6 +48,9 @@ sources::SourceOptions sourceOptions(const RecordedRun& run, InputTrouble& troub
   sources::SourceOptions options;
   if (!run.camera.empty()) options.camera = run.camera;
   options.stereo = run.options.sources.stereo;
+  options.note = tellAtOnce;
+  options.depth_units_per_m = run.depthFactor;
+  options.sensor = run.live.section;
   options.warn = [&trouble](const std::string& sentence) { trouble.add(sentence); };
   return options;
 }
@@ -127,6 +130,10 @@ void tellOfFloor(const pipeline::SlamSystem& slam) {
             "was seen";
     tellAtOnce(text.str());
   }
+}
+
+void tellOfSensors(const sources::SensorCounts& sensors, const std::filesystem::path& input) {
+  if (const auto sentence = sensors.sentence()) tellAtOnce(input.string() + ": " + *sentence);
 }
 
 /// The depth network saw nothing there, and nobody else says who moves by himself.
@@ -217,6 +224,7 @@ class Execution {
     isInterrupted_ = interruption_.requested();
     writeFolder();
     if (live_) std::cerr << "wardslam: " << live_->closingLine(statistics_.frames()) << "\n";
+    tellOfSensors(source().sensors(), run_.input);
     failure_.rethrow();
     requireThatAllWasSound();
     tellWhatIsNotInTheMap();
@@ -277,7 +285,8 @@ class Execution {
   void writeFolder() {
     failure_.attempt([this] {
       folder_.finish({statistics_, zones_, source().damage(), slam_, mapFile_ ? mapFile_->failedWrites() : 0,
-                      truth_.get(), live_ ? &*live_ : nullptr, isInterrupted_, run_.options.deterministic});
+                      truth_.get(), live_ ? &*live_ : nullptr, isInterrupted_, run_.options.deterministic,
+                      source().sensors()});
     });
   }
 

@@ -13,9 +13,10 @@ namespace wardslam::apps {
 
 /// A recording, or a camera, to track through, and where the results go.
 struct RecordedRun {
-  std::filesystem::path input;   ///< A sensor configuration (.ini) means a camera.
-  LiveInput live;                ///< For a camera.
-  std::filesystem::path camera;  ///< Empty: that of the recording.
+  std::filesystem::path input;        ///< A sensor configuration (.ini) means a camera.
+  LiveInput live;                     ///< For a camera; its section is the sensor's label in a rawlog.
+  std::filesystem::path camera;       ///< Empty: that of the recording.
+  std::optional<double> depthFactor;  ///< Units of depth per metre; replaces what camera file or rawlog say.
   std::filesystem::path out;
   pipeline::SlamOptions options;
   std::filesystem::path map;  ///< Goes on in this map; empty: begins one, map.wardmap in `out`.

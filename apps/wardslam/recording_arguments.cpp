@@ -12,7 +12,15 @@ void addRecordingArguments(CLI::App& command, RecordingArguments& arguments) {
           "(a live camera)")
       ->required();
   command.add_option("--out", arguments.out, "folder for the results; made when absent")->required();
-  command.add_option("--camera", arguments.camera, "calibration (YAML); replaces the one of the recording");
+  command.add_option(
+      "--camera", arguments.camera,
+      "calibration (YAML, ours or one of the programs in docs/inputs.md); replaces the one of the recording");
+  command
+      .add_option(
+          "--depth-factor", arguments.depthFactor,
+          "value of a depth pixel one metre away (1000 for millimetres, 5000 for the TUM benchmark's); replaces "
+          "what camera file or rawlog say")
+      ->check(CLI::Range(1.0, 1e6));
   addFilterArguments(command, arguments);
   command.add_option("--zones", arguments.zones, "named parts of the floor (YAML), in the map frame");
   command.add_option("--start-pose", arguments.startPose,

@@ -19,13 +19,15 @@ struct RecordingArguments : FilterArguments {
   std::filesystem::path input;
   std::filesystem::path out;
   std::filesystem::path camera;
+  std::optional<double> depthFactor;
   std::filesystem::path zones;
   std::filesystem::path dynamicTruth;
   std::string startPose;
   std::optional<std::size_t> maxFrames;
 };
 
-/// INPUT, --out, --config, --camera, --masks, --model, --mode, --zones, --start-pose, --max-frames, --dynamic-truth.
+/// INPUT, --out, --config, --camera, --depth-factor, --masks, --model, --mode, --zones, --start-pose, --max-frames,
+/// --dynamic-truth.
 void addRecordingArguments(CLI::App& command, RecordingArguments& arguments);
 
 /// The configuration file, overruled by the command line. Throws UsageError for arguments that contradict each other.

@@ -24,8 +24,11 @@ struct RunArguments {
 
 void requireFittingArguments(const RunArguments& arguments) {
   const bool isLive = sources::isSensorConfiguration(arguments.recording.input);
-  if (!isLive && arguments.live.isGiven()) {
-    throw UsageError("--sensor, --sensor-plugin and --seconds are for cameras: INPUT must be an .ini file");
+  if (!isLive && (!arguments.live.plugins.empty() || arguments.live.seconds)) {
+    throw UsageError("--sensor-plugin and --seconds are for cameras: INPUT must be an .ini file");
+  }
+  if (!arguments.live.section.empty() && std::filesystem::is_directory(arguments.recording.input)) {
+    throw UsageError("--sensor is for .ini files and rawlogs: a folder of images has one sensor");
   }
   if (isLive &&
       (arguments.realtime || !arguments.recording.masks.empty() || !arguments.recording.dynamicTruth.empty())) {
@@ -40,6 +43,7 @@ void run(const RunArguments& arguments) {
   run.input = recording.input;
   run.live = arguments.live;
   run.camera = recording.camera;
+  run.depthFactor = recording.depthFactor;
   run.out = recording.out;
   run.options = effectiveOptions(recording);
   run.map = arguments.map;
@@ -71,7 +75,8 @@ void addRunCommand(CLI::App& app) {
                   ->check(CLI::ExistingFile);
   command->add_flag("--localize", arguments->localize, "only find the camera's place in the map, without changing it")
       ->needs(map);
-  command->add_option("--sensor", arguments->live.section, "section of the .ini file, where it holds several sensors");
+  command->add_option("--sensor", arguments->live.section,
+                      "where INPUT has several sensors: section of the .ini file, or label in the rawlog");
   command->add_option("--sensor-plugin", arguments->live.plugins, "library with further MRPT sensor classes")
       ->check(CLI::ExistingFile);
   command->add_option("--seconds", arguments->live.seconds, "stop a camera after so long (else with Ctrl-C)")

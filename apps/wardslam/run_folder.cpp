@@ -146,6 +146,10 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["interrupted"] = summary.interrupted;
   json["events"] = eventsOf(summary);
   json["damaged_input"] = damageOf(summary);
+  if (summary.sensors.observations.size() > 1) {
+    json["sensor"] = summary.sensors.taken;
+    json["sensors"] = summary.sensors.observations;
+  }
   return json;
 }
 

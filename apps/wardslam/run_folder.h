@@ -14,6 +14,7 @@
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/pipeline/zone_watch.h"
+#include "wardslam/sources/sensor_counts.h"
 
 namespace wardslam::apps {
 
@@ -28,6 +29,7 @@ struct RunSummary {
   const LiveRun* live;               ///< Null: a recording.
   bool interrupted;
   bool deterministic;
+  sources::SensorCounts sensors;  ///< Of a rawlog.
 };
 
 /// The results of a run on disk: trajectory_live.txt (poses as they were known at the time; grows with every frame; a

@@ -71,11 +71,12 @@ class Run {
       workThrough(interruption);
     } catch (const sources::InputDamage& damage) {
       // Of a rawlog that is cut off nothing more can be had; behind an unknown object there may be hours.
-      if (damage.event() == "sources.rawlog_unknown_class")
+      if (damage.event() == "sources.rawlog_unknown_class" || damage.event() == "sources.rawlog_newer")
         throw core::InputError(input_.string() + ": " + damage.what());
       trouble = damage.what();
     }
     if (reader_.objects() == 0) throw core::InputError(input_.string() + ": is empty or not a rawlog");
+    requireSensor();
     annotator_.requireSoundSetup();
     files_.commit();
     return {reader_.objects(),
@@ -83,10 +84,18 @@ class Run {
             annotator_.annotated() - warmUps_,
             embed_ ? fs::path() : files_.sidecar(),
             annotator_.events(),
+            sensors_,
             trouble.empty() ? annotator_.firstTrouble() : trouble};
   }
 
  private:
+  void requireSensor() const {
+    const auto& known = sensors_.observations;
+    if (sensors_.taken.empty() || known.empty() || known.count(sensors_.taken) > 0) return;
+    throw core::InputError(input_.string() + ": has no RGB-D sensor '" + sensors_.taken +
+                           "'; give one of these with --sensor: " + sensors_.labels());
+  }
+
   /// Filters the last scans of what is done once more: they know then what was moving.
   void skipWhatIsDone() {
     std::deque<CObservation3DRangeScan::Ptr> last;
@@ -122,7 +131,9 @@ class Run {
     if (isOurs(object)) return;  // embedded by an earlier run
     std::vector<CObservationSemanticRGBD::Ptr> found;
     for (const auto& scan : scansIn(object)) {
+      if (scan->hasIntensityImage && scan->hasRangeImage) ++sensors_.observations[scan->sensorLabel];
       if (auto semantic = annotator_.annotate(scan)) found.push_back(std::move(semantic));
+      sensors_.taken = annotator_.sensorLabel();
       scan->unload();  // what is stored outside stays there
     }
     if (found.empty()) return files_.write(reader_.bytes());
@@ -140,6 +151,7 @@ class Run {
   sources::RawlogReader reader_;
   OutputFiles files_;
   bool embed_;
+  sources::SensorCounts sensors_;
   std::size_t warmUps_ = 0;
 };
 

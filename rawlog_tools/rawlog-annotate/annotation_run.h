@@ -6,6 +6,7 @@
 #include "support/interruption.h"
 #include "wardslam/core/event_counts.h"
 #include "wardslam/pipeline/slam_options.h"
+#include "wardslam/sources/sensor_counts.h"
 
 namespace wardslam::rawlog_annotate {
 
@@ -23,6 +24,7 @@ struct AnnotationReport {
   std::size_t annotated = 0;      ///< Scans annotated by this run.
   std::filesystem::path sidecar;  ///< Empty: none.
   core::EventCounts events;
+  sources::SensorCounts sensors;
   std::string trouble;  ///< The first about input that could not be used, a sentence part; empty: all was well.
 };
 

@@ -54,6 +54,9 @@ int annotate(const Arguments& arguments) {
   std::cout << "\n";
   if (!report.sidecar.empty()) std::cout << report.sidecar.string() << ": what was found, in full\n";
   for (const auto& [event, count] : report.events) std::cout << "  " << event << ": " << count << "\n";
+  if (const auto sentence = report.sensors.sentence()) {
+    std::cerr << kName << ": " << job.input.string() << ": " << *sentence << "\n";
+  }
   if (report.trouble.empty()) return apps::kSuccess;
   std::cerr << kName << ": " << job.input.string() << ": " << report.trouble
             << "; the output holds the rest, and scans that could not be used as they were\n";

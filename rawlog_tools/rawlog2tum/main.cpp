@@ -21,6 +21,7 @@ struct Arguments {
   std::filesystem::path input;
   std::filesystem::path output;
   std::filesystem::path camera;
+  std::string sensor;
 };
 
 void warn(const std::string& sentence) { std::cerr << "rawlog2tum: " << sentence << "\n"; }
@@ -46,10 +47,13 @@ int convert(const Arguments& arguments) {
   TumFolderWriter folder(arguments.output, recording::readTumNotes(arguments.input));
   sources::SourceOptions options;
   if (!arguments.camera.empty()) options.camera = arguments.camera;
+  options.sensor = arguments.sensor;
   options.warn = warn;
+  options.note = warn;
   const auto source = sources::openSource(arguments.input, options);
   const std::size_t written = writeAll(*source, folder);
   folder.commit();
+  if (const auto sentence = source->sensors().sentence()) warn(arguments.input.string() + ": " + *sentence);
 
   std::cout << arguments.output.string() << ": " << written << " image pairs\n";
   if (source->damage().empty()) return apps::kSuccess;
@@ -67,8 +71,9 @@ int main(int argc, char** argv) {
                  "rawlog2tum");
     app.set_version_flag("--version", "rawlog2tum " WARDSLAM_VERSION);
     Arguments arguments;
-    app.add_option("INPUT", arguments.input, "rawlog; its first RGB-D sensor is taken")->required();
+    app.add_option("INPUT", arguments.input, "rawlog to read")->required();
     app.add_option("-o,--output", arguments.output, "folder to write; must not be there yet")->required();
+    app.add_option("--sensor", arguments.sensor, "label of the RGB-D sensor; the first in the rawlog unless given");
     app.add_option("--camera", arguments.camera, "calibration (YAML); replaces that of the scans");
     if (const auto code = wardslam::apps::parseCommandLine(app, argc, argv)) return *code;
     return convert(arguments);

@@ -17,6 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using recording::TumNotes;
 
+/// What the largest number of an image stands for: nothing measured, or farther than it can say.
+constexpr double kTooFar = 65535.0;
+
 std::int64_t ticksOf(double stamp_s) { return core::toMrptTime(stamp_s).time_since_epoch().count(); }
 
 std::string textOf(double stamp_s) {
@@ -77,6 +80,7 @@ void TumFolderWriter::write(const core::Frame& frame, double rangeUnits_m) {
   writeImage(partial_ / names.colorFile, frame.color_bgr);
   cv::Mat depth;
   frame.depth_m.convertTo(depth, CV_16U, camera_->depth_units_per_m);  // rounds, which undoes what floats cut off
+  depth.setTo(0, depth == kTooFar);                                    // where it had to be cut off
   writeImage(partial_ / names.depthFile, depth);
   written_.push_back(names);
 }

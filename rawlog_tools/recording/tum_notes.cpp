@@ -10,6 +10,7 @@
 
 #include "recording/rawlog_writer.h"
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/core/text_lines.h"
 #include "wardslam/sources/input_damage.h"
 #include "wardslam/sources/rawlog_reader.h"
 #include "wardslam/sources/tum_lists.h"
@@ -29,18 +30,27 @@ std::string wholeText(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Names may hold blanks.
+std::string quoted(const std::string& file) {
+  return file.find_first_of(" ,;") == std::string::npos ? file : "\"" + file + "\"";
+}
+
 std::string textOf(const std::vector<TumNotes::Pair>& pairs) {
   std::ostringstream text;
   for (const auto& [colorStamp, colorFile, depthStamp, depthFile] : pairs) {
-    text << colorStamp << " " << colorFile << " " << depthStamp << " " << depthFile << "\n";
+    text << colorStamp << " " << quoted(colorFile) << " " << depthStamp << " " << quoted(depthFile) << "\n";
   }
   return text.str();
 }
 
 std::vector<TumNotes::Pair> pairsOf(const std::string& text) {
+  constexpr std::size_t kWords = 4;
   std::istringstream in(text);
   std::vector<TumNotes::Pair> pairs;
-  for (TumNotes::Pair p; in >> p.colorStamp >> p.colorFile >> p.depthStamp >> p.depthFile;) pairs.push_back(p);
+  for (std::string line; std::getline(in, line);) {
+    const auto words = core::wordsIn(line);
+    if (words.size() == kWords) pairs.push_back({words[0], words[1], words[2], words[3]});
+  }
   return pairs;
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include "recording/rawlog_writer.h"
@@ -21,6 +22,7 @@ struct Arguments {
   std::filesystem::path input;
   std::filesystem::path output;
   std::filesystem::path camera;
+  std::optional<double> depthFactor;
 };
 
 void warn(const std::string& sentence) { std::cerr << "tum2rawlog: " << sentence << "\n"; }
@@ -41,7 +43,9 @@ std::size_t copyAll(sources::ObservationSource& source, recording::RawlogWriter&
 int convert(const Arguments& arguments) {
   sources::SourceOptions options;
   if (!arguments.camera.empty()) options.camera = arguments.camera;
+  options.depth_units_per_m = arguments.depthFactor;
   options.warn = warn;
+  options.note = warn;
   const auto source = sources::openSource(arguments.input, options);
   recording::RawlogWriter rawlog(arguments.output);
   if (std::filesystem::is_directory(arguments.input)) {
@@ -69,6 +73,11 @@ int main(int argc, char** argv) {
     app.add_option("TUM_DIR", arguments.input, "folder with rgb.txt and depth.txt, or associations.txt")->required();
     app.add_option("-o,--output", arguments.output, "rawlog to write; images are embedded without loss")->required();
     app.add_option("--camera", arguments.camera, "calibration (YAML); replaces the folder's camera.yaml");
+    app.add_option(
+           "--depth-factor", arguments.depthFactor,
+           "value of a depth pixel one metre away (1000 for millimetres, 5000 for the TUM benchmark's); replaces "
+           "what the camera file says")
+        ->check(CLI::Range(1.0, 1e6));
     if (const auto code = parseCommandLine(app, argc, argv)) return *code;
     return convert(arguments);
   });

@@ -20,9 +20,12 @@ using ::testing::ThrowsMessage;
 
 class TumTrajectory : public ::testing::Test {
  protected:
-  [[nodiscard]] core::Trajectory read(const std::string& text) const {
-    return readTumTrajectory(folder.write("trajectory.txt", text));
+  [[nodiscard]] core::Trajectory read(const std::string& text) {
+    return readTumTrajectory(folder.write("trajectory.txt", text),
+                             {[this](const std::string& note) { notes.push_back(note); }, {}});
   }
+
+  std::vector<std::string> notes;
 
   test::TemporaryFolder folder;
 };
@@ -82,6 +85,74 @@ TEST_F(ReadTumTrajectory, RefusesMalformedLinesNamingFileAndLine) {
                 ThrowsMessage<core::InputError>(AllOf(HasSubstr("trajectory.txt:3: "), HasSubstr(bad))))
         << bad;
   }
+}
+
+/// The pose that the files below describe: a quarter turn about z at (1, 2, 3).
+void expectThePose(const core::Trajectory& trajectory, double stamp_s) {
+  ASSERT_EQ(trajectory.size(), 1U);
+  EXPECT_NEAR(trajectory[0].stamp_s, stamp_s, 1e-6);
+  const Eigen::Isometry3d expected =
+      Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE(trajectory[0].T_map_cam.isApprox(expected, 1e-6));
+}
+
+TEST_F(ReadTumTrajectory, TakesTheOrderFromTheHeadings) {
+  const std::string wxyz = "1,2,3,0.70710678,0,0,0.70710678";
+  expectThePose(read("#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], "
+                     "q_RS_z []\n1700000003333333333," +
+                     wxyz + "\n"),
+                1700000003.333333);
+  expectThePose(read("timestamp,tx,ty,tz,qw,qx,qy,qz\n5.5," + wxyz + "\n"), 5.5);
+  expectThePose(read("num,t,x,y,z,qx,qy,qz,qw\n7,5.5,1,2,3,0,0,0.70710678,0.70710678\n"), 5.5);
+  expectThePose(read("# qx qy qz qw x y z timestamp\n0 0 0.70710678 0.70710678 1 2 3 5.5\n"), 5.5);
+  expectThePose(read("#timestamp, p_x, p_y, p_z, q_w, q_x, q_y, q_z, v_x, v_y, v_z\n5.5," + wxyz + ",9,9,9\n"), 5.5);
+  EXPECT_THAT(notes.back(), HasSubstr("headings"));
+}
+
+TEST_F(ReadTumTrajectory, KnowsWhatHasNoHeadingsByItsNumbers) {
+  const std::string pose = "5.5 1 2 3 0 0 0.70710678 0.70710678";
+  expectThePose(read(pose + " 12\n"), 5.5);
+  expectThePose(read("12 " + pose + "\n"), 5.5);
+  EXPECT_THAT(notes.back(), HasSubstr("9 columns"));
+  EXPECT_THAT([&] { (void)read("5.5 1 2 3 0 0 9 9 12\n"); },
+              ThrowsMessage<core::InputError>(HasSubstr("trajectory.txt:1")));
+}
+
+TEST_F(ReadTumTrajectory, TakesTheMatricesOfKittiForOneAnImage) {
+  const auto trajectory = read("1 0 0 0 0 1 0 0 0 0 1 0\n0 -1 0 1 1 0 0 2 0 0 1 3\n");
+  ASSERT_EQ(trajectory.size(), 2U);
+  EXPECT_EQ(trajectory[1].stamp_s, 1.0);
+  expectThePose({trajectory[1]}, 1.0);
+  EXPECT_THAT(notes.back(), HasSubstr("KITTI"));
+}
+
+TEST_F(ReadTumTrajectory, TakesOtherClocksMarksAndDecimalCommas) {
+  expectThePose(read("1700000003333 1 2 3 0 0 0.70710678 0.70710678\n"), 1700000003.333);
+  EXPECT_THAT(notes.back(), HasSubstr("milliseconds"));
+  expectThePose(read("1700000003333333333.000000 1 2 3 0 0 0.70710678 0.70710678\n"), 1700000003.333333);
+  expectThePose(read("\xEF\xBB\xBF"
+                     "5.5 1 2 3 0 0 0.70710678 0.70710678 \r\n"),
+                5.5);
+  expectThePose(read("5.5;1;2;3;0;0;0.70710678;0.70710678\n"), 5.5);
+  expectThePose(read("5,5 1,0 2,0 3,0 0,0 0,0 0,70710678 0,70710678\n"), 5.5);
+  EXPECT_THAT(
+      [&] {
+        (void)read(
+            std::string("\xFF\xFE"
+                        "1\0",
+                        4));
+      },
+      ThrowsMessage<core::InputError>(HasSubstr("UTF-16")));
+}
+
+TEST_F(ReadTumTrajectory, CountsImagesWhereItIsToldTheirRate) {
+  const std::string numbered = "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n";
+  EXPECT_EQ(read(numbered).back().stamp_s, 2.0);
+  const auto file = folder.write("numbered.txt", numbered);
+  EXPECT_TRUE(numbersImages(file));
+  TrajectoryReading reading;
+  reading.rate_hz = 20.0;
+  EXPECT_EQ(readTumTrajectory(file, reading).back().stamp_s, 0.1);
 }
 
 TEST_F(ReadTumTrajectory, RefusesAFileWithoutPoses) {

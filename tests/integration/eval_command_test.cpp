@@ -52,6 +52,36 @@ class EvalCommand : public ::testing::Test {
                                        "0.3  0   -1.3 0 0 0 0 1\n");
 };
 
+TEST_F(EvalCommand, TakesNumbersOfImagesForTimeWhereOneFileHasThem) {
+  const auto numbered =
+      write("numbered.txt", "0  1  0 0 0 0 0 1\n1 -1  0 0 0 0 0 1\n2  0  1 0 0 0 0 1\n3  0 -1 0 0 0 0 1\n");
+  const auto at = [&](const std::string& b, const std::string& c, const std::string& d) {
+    return write("timed.txt", "0.0 1.1 0 0 0 0 0 1\n" + b + " -1.1 0 0 0 0 0 1\n" + c + " 0 1.3 0 0 0 0 1\n" + d +
+                                  " 0 -1.3 0 0 0 0 1\n");
+  };
+  const auto usual = eval({numbered, at("0.033333", "0.066667", "0.1"), "--json"});
+  EXPECT_EQ(usual.exitCode, 0) << usual.err;
+  EXPECT_THAT(usual.err, AllOf(HasSubstr("numbered.txt"), HasSubstr("30 a second")));
+  EXPECT_EQ(nlohmann::json::parse(usual.out).at("ate").at("pairs"), 4);
+  expectError(eval({numbered, at("0.2", "0.4", "0.6")}), 1, "--rate");
+  const auto told = eval({numbered, at("0.2", "0.4", "0.6"), "--rate", "5", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(told.out).at("ate").at("pairs"), 4);
+  const auto seconds = eval({numbered, at("1.0", "2.0", "3.0"), "--json"});
+  EXPECT_THAT(seconds.err, IsEmpty());
+  EXPECT_EQ(nlohmann::json::parse(seconds.out).at("ate").at("pairs"), 4);
+}
+
+TEST_F(EvalCommand, TakesTheOrderOfTheHeadings) {
+  const auto euroc = write("euroc.csv",
+                           "#timestamp [ns], p_x [m], p_y [m], p_z [m], q_w [], q_x [], q_y [], q_z []\n"
+                           "0,1.1,0,0,1,0,0,0\n100000000,-1.1,0,0,1,0,0,0\n200000000,0,1.3,0,1,0,0,0\n"
+                           "300000000,0,-1.3,0,1,0,0,0\n");
+  const auto result = eval({groundTruth, euroc, "--json"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("headings"), HasSubstr("nanoseconds")));
+  EXPECT_EQ(nlohmann::json::parse(result.out).at("ate").at("pairs"), 4);
+}
+
 TEST_F(EvalCommand, PrintsATable) {
   const auto result = eval({groundTruth, trajectory});
   EXPECT_EQ(result.exitCode, 0) << result.err;

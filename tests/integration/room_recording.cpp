@@ -69,7 +69,7 @@ RoomRecording::RoomRecording(int images, int listed, double start_s, std::uint64
   write("rgb.txt", colorList);
   write("depth.txt", depthList);
   write("groundtruth.txt", groundTruth);
-  write("camera.yaml", "width: 320\nheight: 240\nfx: 262.5\nfy: 262.5\ncx: 159.5\ncy: 119.5\n");
+  write("camera.yaml", "width: 320\nheight: 240\nfx: 262.5\nfy: 262.5\ncx: 159.5\ncy: 119.5\ndepth_factor: 5000\n");
 }
 
 fs::path RoomRecording::color(int image) const { return path() / colorName(image); }

@@ -39,7 +39,7 @@ TEST_F(RunTrouble, ARawlogWhoseImagesChangeTheirSize) {
     test::shrinkImage(later.color(image));
     test::shrinkImage(later.depth(image));
   }
-  later.write("camera.yaml", "width: 160\nheight: 120\nfx: 131\nfy: 131\ncx: 79.5\ncy: 59.5\n");
+  later.write("camera.yaml", "width: 160\nheight: 120\nfx: 131\nfy: 131\ncx: 79.5\ncy: 59.5\ndepth_factor: 5000\n");
   const fs::path small = folder.path() / "small.rawlog";
   ASSERT_EQ(test::runProgram("tum2rawlog", {later.path(), "-o", small}).exitCode, 0);
   append(small, rawlog);

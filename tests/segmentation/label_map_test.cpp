@@ -116,6 +116,35 @@ TEST_F(LabelMapTest, KnowsTheUsualNetworksByTheirNumberOfClasses) {
               ThrowsMessage<InputError>(AllOf(HasSubstr("net.onnx: knows 5 classes"), HasSubstr("label file"))));
 }
 
+TEST_F(LabelMapTest, TakesTheNamesThatANetworkBrings) {
+  const auto map =
+      LabelMap::forNetwork(4, {}, "net", {"chair", "Wheelchair", "iv stand", "drip bag"}, LabelMap::Family::Yolo);
+  EXPECT_EQ(map.classOf(0), 57);
+  EXPECT_EQ(map.classOf(1), 105);
+  EXPECT_EQ(map.labels().name(105), "wheelchair");
+  EXPECT_EQ(map.classOf(2), 103);
+  EXPECT_GE(map.classOf(3), 150);
+  EXPECT_EQ(map.labels().name(map.classOf(3)), "drip bag");
+  EXPECT_EQ(map.labels().find("curtain"), std::nullopt);
+  EXPECT_THAT([] { (void)LabelMap::forNetwork(3, {}, "net", {"person"}); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("knows 3 classes"), HasSubstr("names 1"))));
+}
+
+TEST_F(LabelMapTest, YoloNetworksAreNotTakenForPascalVoc) {
+  for (const int classes : {21, 90, 150}) {
+    EXPECT_THAT([&] { (void)LabelMap::forNetwork(classes, {}, "net", {}, LabelMap::Family::Yolo); },
+                ThrowsMessage<InputError>(HasSubstr("--classes")))
+        << classes;
+  }
+  EXPECT_EQ(LabelMap::forNetwork(80, {}, "net", {}, LabelMap::Family::Yolo).classOf(0), 1);
+}
+
+TEST_F(LabelMapTest, ExtendsTheFilesThatComeWithTheProgramFromAnywhere) {
+  const auto map =
+      LabelMap::fromFile(folder_.write("two.yaml", "extends: hospital.yaml\nclasses: [person, wheelchair]\n"));
+  EXPECT_EQ(map.classOf(1), 105);
+}
+
 TEST_F(LabelMapTest, RefusesAFileForAnotherNetwork) {
   const auto list = folder_.write("list.yaml", "classes: [person, chair]\n");
   EXPECT_EQ(LabelMap::forNetwork(2, list, "net").classOf(1), 57);

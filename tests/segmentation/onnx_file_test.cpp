@@ -57,6 +57,26 @@ TEST(OnnxFile, ListsTheOutputsInTheirOrder) {
   EXPECT_TRUE(onnxOutputs("no network").empty());
 }
 
+TEST(OnnxFile, TellsWhatItsWriterNoted) {
+  test::OnnxWriter onnx;
+  onnx.addInput("images", {1, 3, 256, 320});
+  onnx.addMetadata("names", "{0: 'person'}");
+  onnx.addMetadata("task", "segment");
+  EXPECT_EQ(onnxMetadata(onnx.model()).at("names"), "{0: 'person'}");
+  EXPECT_EQ(onnxMetadata(onnx.model()).size(), 2U);
+  EXPECT_TRUE(onnxMetadata("no network").empty());
+}
+
+TEST(OnnxFile, TellsHalfFloatsFromOthers) {
+  test::OnnxWriter half;
+  half.addInput("images", {1, 3, 256, 320}, test::OnnxWriter::ElementType::Float16);
+  EXPECT_TRUE(takesHalfFloats(half.model()));
+  test::OnnxWriter whole;
+  whole.addInput("images", {1, 3, 256, 320});
+  EXPECT_FALSE(takesHalfFloats(whole.model()));
+  EXPECT_FALSE(takesHalfFloats("no network"));
+}
+
 TEST(OnnxFile, ReadsRealNetworks) {
   const std::filesystem::path models = std::filesystem::path(WARDSLAM_SHARED_DIR) / "models";
   if (!std::filesystem::exists(models)) GTEST_SKIP() << models << " is absent";

@@ -10,11 +10,15 @@ namespace wardslam::test {
 /// Just enough of ONNX's protobuf format to write networks of a few operations by hand. Field numbers: onnx.proto.
 class OnnxWriter {
  public:
-  enum class ElementType : std::uint64_t { Float = 1, Int64 = 7 };  // TensorProto.DataType
+  enum class ElementType : std::uint64_t { Float = 1, Int64 = 7, Float16 = 10 };  // TensorProto.DataType
 
   /// A dimension of 0 is left open.
-  void addInput(const std::string& name, const std::vector<std::uint64_t>& shape) {
-    graph_ += bytes(11, valueInfo(name, shape));
+  void addInput(const std::string& name, const std::vector<std::uint64_t>& shape,
+                ElementType type = ElementType::Float) {
+    graph_ += bytes(11, valueInfo(name, shape, type));
+  }
+  void addMetadata(const std::string& key, const std::string& value) {
+    metadata_ += bytes(14, bytes(1, key) + bytes(2, value));
   }
   void addOutput(const std::string& name, ElementType type = ElementType::Float) {
     graph_ += bytes(12, valueInfo(name, {}, type));
@@ -39,7 +43,7 @@ class OnnxWriter {
 
   /// The file: IR version 7, operator set 12.
   [[nodiscard]] std::string model() const {
-    return number(1, 7) + bytes(7, graph_ + bytes(2, "graph")) + bytes(8, number(2, 12));
+    return number(1, 7) + bytes(7, graph_ + bytes(2, "graph")) + bytes(8, number(2, 12)) + metadata_;
   }
 
  private:
@@ -63,6 +67,7 @@ class OnnxWriter {
   }
 
   std::string graph_;
+  std::string metadata_;
 };
 
 }  // namespace wardslam::test

@@ -13,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Pair;
@@ -171,8 +172,8 @@ TEST_F(RecordedMasksTest, SurvivesMasksThatCannotBeUsed) {
   folder_.write("masks/1700000002.000000.png", "");
   folder_.write("masks/1700000003.000000.png", "not a picture");
   writeMask("1700000004.000000.png", cv::Mat(24, 32, CV_8UC1, cv::Scalar(1)));
-  writeMask("1700000005.000000.png", cv::Mat(48, 64, CV_16UC1, cv::Scalar(1)));
-  writeMask("1700000006.000000.png", cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(1)));
+  writeMask("1700000005.000000.png", cv::Mat(48, 64, CV_16UC1, cv::Scalar(1001)));
+  writeMask("1700000006.000000.png", cv::Mat(48, 64, CV_8UC3, cv::Scalar(0, 0, 128)));
   RecordedMasks masks = open();
   for (int i = 1; i <= 6; ++i) {
     const auto result = masks.segment({image_, kFirst_s + i});
@@ -204,18 +205,77 @@ TEST_F(RecordedMasksTest, LeavesOutAndCountsWhatHasNoName) {
   EXPECT_THAT(open().segment({image_, kFirst_s}).events, IsEmpty());
 }
 
-TEST_F(RecordedMasksTest, SaysThatPicturesOfTwoLevelsAreNoMasks) {
+TEST_F(RecordedMasksTest, TakesNumbersOfFewBitsAsTheyAreStored) {
   const cv::Mat image = personAndChair() != 0;
   ASSERT_TRUE(cv::imwrite((masks() / kFirst).string(), image, {cv::IMWRITE_PNG_BILEVEL, 1}));
   RecordedMasks masks = open();
-  EXPECT_TRUE(masks.segment({image_, kFirst_s}).segmentation.empty());
-  EXPECT_THAT([&] { masks.finish(); },
-              ThrowsMessage<core::InputError>(AllOf(HasSubstr(kFirst), HasSubstr("255"), HasSubstr("classes.txt"))));
+  const auto segmentation = masks.segment({image_, kFirst_s}).segmentation;
+  EXPECT_EQ(cv::countNonZero(segmentation.classIds == 1), kPerson.area() + kChair.area());
+  EXPECT_THAT(masks.notes(), ElementsAre(HasSubstr("1 bits a pixel")));
+}
+
+TEST_F(RecordedMasksTest, AsksWhatBlackAndWhiteMeans) {
+  writeMask(kFirst, cv::Mat(48, 64, CV_8UC1, cv::Scalar(0)));  // nobody in sight yet
+  cv::Mat mask = personAndChair();
+  mask.setTo(255, mask != 0);
+  writeMask(kSecond, mask);
+  EXPECT_THAT([&] { (void)open(); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr(this->masks().string()), HasSubstr("black and white"),
+                                                    HasSubstr("classes: {255: person}"), HasSubstr("--classes"))));
+  RecordedMasksOptions options;
+  options.folder = masks().string();
+  RecordedMasks told(options, folder_.write("labels.yaml", "classes: {255: person}\n"));
+  const auto segmentation = told.segment({image_, kSecond_s}).segmentation;
+  EXPECT_EQ(cv::countNonZero(segmentation.classIds == 1), kPerson.area() + kChair.area());
+  EXPECT_THAT(told.notes(), IsEmpty());
+}
+
+TEST_F(RecordedMasksTest, AsksWhatNumbersWithoutNamesMean) {
+  cv::Mat mask = personAndChair();
+  mask.setTo(150, mask == 1);
+  mask.setTo(170, mask == 57);
+  writeMask(kFirst, mask);
+  EXPECT_THAT([&] { (void)open(); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("150, 170"), HasSubstr("--classes"))));
+}
+
+TEST_F(RecordedMasksTest, NamesUnknownNumbersOnce) {
+  cv::Mat mask = personAndChair();
+  mask.setTo(200, mask == 57);
+  writeMask(kFirst, mask);
+  writeMask(kSecond, mask);
+  EXPECT_THAT(open().notes(), ElementsAre(AllOf(HasSubstr("200"), HasSubstr("--classes"))));
+}
+
+TEST_F(RecordedMasksTest, TakesSixteenBitsAndThreeEqualChannels) {
+  cv::Mat wide;
+  personAndChair().convertTo(wide, CV_16U);
+  writeMask(kFirst, wide);
+  cv::Mat three;
+  cv::merge(std::vector<cv::Mat>(3, personAndChair()), three);
+  writeMask(kSecond, three);
+  RecordedMasks masks = open();
+  for (const double stamp_s : {kFirst_s, kSecond_s}) {
+    const auto segmentation = masks.segment({image_, stamp_s}).segmentation;
+    EXPECT_EQ(cv::norm(segmentation.classIds, personAndChair(), cv::NORM_INF), 0.0) << stamp_s;
+  }
+  EXPECT_THAT(masks.notes(), ::testing::SizeIs(2));
+}
+
+TEST_F(RecordedMasksTest, MayBeNamedInNanosecondsOrByNumber) {
+  writeMask("1700000000000000000.png", personAndChair());
+  writeMask("1700000000033333000.png", personAndChair());
+  EXPECT_FALSE(open().segment({image_, kSecond_s}).segmentation.empty());
+  EXPECT_THAT(open().notes(), ElementsAre(HasSubstr("nanoseconds")));
+  fs::remove_all(masks());
+  fs::create_directories(masks());
+  for (const char* name : {"0.png", "1.png", "2.png"}) writeMask(name, personAndChair());
+  EXPECT_FALSE(open().segment({image_, 2.0 / 30}).segmentation.empty());
 }
 
 TEST_F(RecordedMasksTest, RefusesFoldersThatCannotHoldMasks) {
   EXPECT_THAT([&] { (void)open(); }, ThrowsMessage<core::InputError>(HasSubstr(masks().string())));
-  writeMask(kFirst, cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(1)));
+  writeMask(kFirst, cv::Mat(48, 64, CV_8UC3, cv::Scalar(0, 0, 128)));
   EXPECT_THAT([&] { (void)open(); },
               ThrowsMessage<core::InputError>(AllOf(HasSubstr(kFirst), HasSubstr("8-bit single-channel"))));
   fs::remove_all(masks());

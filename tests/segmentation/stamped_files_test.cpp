@@ -56,6 +56,18 @@ TEST_F(StampedFilesTest, KeepsOnlyStampsOfTheExtension) {
   EXPECT_EQ(files.firstFile().filename(), "1.5.png");
 }
 
+TEST_F(StampedFilesTest, ReadsOtherClocksAndSpellings) {
+  const auto expectFound = [&](const std::string& name, double stamp_s) {
+    const test::TemporaryFolder folder;
+    folder.write(name, "");
+    EXPECT_TRUE(StampedFiles(folder.path(), ".png").nearest(stamp_s, 1e-5)) << name;
+  };
+  expectFound("1700000003333333000.png", 1700000003.333333);
+  expectFound("1700000003333333.png", 1700000003.333333);
+  expectFound("1700000003_333333.png", 1700000003.333333);
+  expectFound("1700000003.333333.jpg.png", 1700000003.333333);
+}
+
 TEST_F(StampedFilesTest, RefusesMissingAndEmptyFolders) {
   const auto open = [](const std::filesystem::path& folder) { const StampedFiles files(folder, ".png"); };
   const auto missing = folder_.path() / "missing";

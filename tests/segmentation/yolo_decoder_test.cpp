@@ -244,6 +244,51 @@ TEST(YoloLayout, TellsTheVersionsApart) {
   EXPECT_EQ(v5->classes, 80);
 }
 
+constexpr int kRowValues = 6 + kPrototypes;
+
+/// One row of a network that suppresses itself: corners, confidence, class, coefficients.
+core::Segmentation decodeRow(const std::vector<float>& values) {
+  cv::Mat rows({1, 30, kRowValues}, CV_32F, cv::Scalar(0));
+  std::copy(values.begin(), values.end(), rows.ptr<float>(0, 3));
+  cv::Mat prototypes({1, kPrototypes, 16, 16}, CV_32F, cv::Scalar(1.0));
+  const auto layout = YoloLayout::fromShapes({1, 30, kRowValues}, {1, kPrototypes, 16, 16}, {64, 64});
+  EXPECT_TRUE(layout && layout->version == Version::EndToEnd);
+  return decodeYolo(rows, prototypes, *layout, Letterbox({64, 64}, {64, 64}),
+                    LabelMap::consecutive(core::LabelSpace::coco()), {});
+}
+
+TEST(YoloEndToEnd, RowsAreCornersConfidenceAndClass) {
+  const auto segmentation = decodeRow({10, 20, 40, 44, 0.8F, 56, kEverywhere, 0});
+  ASSERT_EQ(segmentation.instances.size(), 1U);
+  EXPECT_EQ(segmentation.instances[0].classId, 57);
+  EXPECT_NEAR(segmentation.instances[0].confidence, 0.8F, 1e-6F);
+  EXPECT_EQ(segmentation.instances[0].box_px, cv::Rect(10, 20, 30, 24));
+}
+
+TEST(YoloEndToEnd, RefusesWhatIsNoConfidenceOrNoClass) {
+  EXPECT_THROW((void)decodeRow({10, 20, 40, 44, 56.0F, 0.8F, kEverywhere, 0}), YoloLayoutError);
+  EXPECT_THROW((void)decodeRow({10, 20, 40, 44, 0.8F, 0.5F, kEverywhere, 0}), YoloLayoutError);
+}
+
+TEST(YoloLayout, TellsRowsOfSuppressedDetectionsFromAnchors) {
+  const auto rows = YoloLayout::fromShapes({1, 300, 38}, {1, 32, 64, 80}, {320, 256});
+  ASSERT_TRUE(rows);
+  EXPECT_EQ(rows->version, Version::EndToEnd);
+  EXPECT_EQ(rows->prototypes, 32);
+  const auto v5 = YoloLayout::fromShapes({1, 5040, 38}, {1, 32, 64, 80}, {320, 256});  // of one class
+  ASSERT_TRUE(v5);
+  EXPECT_EQ(v5->version, Version::V5);
+  EXPECT_EQ(v5->classes, 1);
+}
+
+TEST(YoloLayout, RefusesAnchorsThatNoStrideExplains) {
+  EXPECT_TRUE(YoloLayout::fromShapes({1, 116, 1680}, {1, 32, 64, 80}, {320, 256}));
+  EXPECT_TRUE(YoloLayout::fromShapes({1, 116, 1700}, {1, 32, 64, 80}, {320, 256}));  // with a stride of 64
+  EXPECT_FALSE(YoloLayout::fromShapes({1, 116, 84}, {1, 32, 64, 80}, {320, 256}));
+  EXPECT_FALSE(YoloLayout::fromShapes({1, 1680, 116}, {1, 32, 64, 80}, {320, 256}));  // turned round
+  EXPECT_FALSE(YoloLayout::fromShapes({1, 116, 8400}, {1, 32, 64, 80}, {320, 256}));
+}
+
 TEST(YoloLayout, TakesAnyNumberOfClasses) {
   EXPECT_EQ(YoloLayout::fromShapes({1, 37, 1680}, {1, 32, 64, 80})->classes, 1);
   EXPECT_EQ(YoloLayout::fromShapes({1, 1240, 6300}, {1, 32, 120, 160})->classes, 1204);

@@ -246,6 +246,66 @@ TEST_F(RawlogFile, TheNoiseOfACameraFileIsThatOfTheDepth) {
   EXPECT_EQ(RawlogSource(file, {}).depthNoise(), core::DepthNoise());
 }
 
+TEST_F(RawlogFile, CountsItsSensorsAndTakesTheOneAskedFor) {
+  const auto rear = [](int number) {
+    auto scan = makeScan(number);
+    scan->sensorLabel = "REAR";
+    return scan;
+  };
+  write({makeScan(0), rear(1), makeScan(2), rear(3), rear(4)});
+  EXPECT_THAT(readNumbers(), ElementsAre(0, 2));
+  SourceOptions options;
+  options.sensor = "REAR";
+  RawlogSource source(file, options);
+  std::size_t scans = 0;
+  while (source.next()) ++scans;
+  EXPECT_EQ(scans, 3U);
+  EXPECT_THAT(source.sensors().observations, ElementsAre(Pair("CAMERA", 2), Pair("REAR", 3)));
+  EXPECT_EQ(source.sensors().taken, "REAR");
+  EXPECT_THAT(source.sensors().sentence().value_or(""),
+              AllOf(HasSubstr("CAMERA (2), REAR (3)"), HasSubstr("those of REAR"), HasSubstr("--sensor")));
+  options.sensor = "SIDE";
+  EXPECT_THAT([&] { RawlogSource(file, options); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("'SIDE'"), HasSubstr("CAMERA, REAR"))));
+}
+
+TEST_F(RawlogFile, OfOneSensorNeedsNoSentence) {
+  write({makeScan(0)});
+  EXPECT_EQ(RawlogSource(file, {}).sensors().sentence(), std::nullopt);
+}
+
+TEST_F(RawlogFile, AGivenUnitReplacesThatOfTheScans) {
+  write({makeScan(0)});
+  SourceOptions options;
+  options.depth_units_per_m = 5000.0;
+  EXPECT_FLOAT_EQ(RawlogSource(file, options).next()->rangeUnits, 0.0002F);
+}
+
+TEST_F(RawlogFile, OfANewerMrptIsNamedAsSuch) {
+  write<mrpt::io::CFileOutputStream>({std::make_shared<mrpt::obs::CObservationOdometry>(), makeScan(0)});
+  std::string bytes = test::readText(file);
+  const std::string name = "CObservation3DRangeScan";
+  const std::size_t at = bytes.find(name);
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + name.size()] = 120;  // the version
+  folder.write("ward.rawlog", bytes);
+  expectError("written by a newer MRPT (CObservation3DRangeScan, version 120)");
+}
+
+TEST_F(RawlogFile, StopsWhereTheFirstScansAllFailAlike) {
+  Objects scans;
+  for (int i = 0; i < 15; ++i) {
+    const auto scan = makeScan(i);
+    scan->cameraParamsIntensity.cx(1000.0);
+    scan->cameraParams.cx(1000.0);
+    scans.push_back(scan);
+  }
+  write(scans);
+  expectError(
+      "principal point lies outside its image of 8x6 pixels; give the right --camera; so it is with all of the first "
+      "10");
+}
+
 /// Scans whose images lie in files beside the rawlog, as rawlog-grabber leaves them.
 class RawlogWithExternalImages : public RawlogFile {
  protected:
@@ -272,6 +332,11 @@ TEST_F(RawlogWithExternalImages, LoadsThem) {
   ASSERT_TRUE(scan);
   EXPECT_EQ(cv::norm(scan->intensityImage.asCvMatRef(), expected->intensityImage.asCvMatRef(), cv::NORM_INF), 0.0);
   EXPECT_EQ(scan->rangeImage, expected->rangeImage);
+}
+
+TEST_F(RawlogWithExternalImages, NamesTheFolderThatIsMissing) {
+  std::filesystem::rename(images, folder.path() / "elsewhere");
+  expectError("folder ward_Images beside it, which is not there");
 }
 
 TEST_F(RawlogWithExternalImages, AMissingImageIsLeftOut) {

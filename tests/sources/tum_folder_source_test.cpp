@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include <limits>
+
 #include "sources/tum_folder_writer.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
@@ -29,8 +31,8 @@ double difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv
 
 /// Reads to the end; which frames came, what was warned of.
 struct Reading {
-  explicit Reading(const std::filesystem::path& folder) {
-    SourceOptions options;
+  explicit Reading(const std::filesystem::path& folder, SourceOptions options = {}) {
+    options.note = [this](const std::string& sentence) { notes.push_back(sentence); };
     options.warn = [this](const std::string& sentence) { warnings.push_back(sentence); };
     TumFolderSource source(folder, options);
     while (const auto scan = source.next()) stamps_s.push_back(core::fromMrptTime(scan->timestamp));
@@ -38,6 +40,7 @@ struct Reading {
   }
   std::vector<double> stamps_s;
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;
   core::EventCounts damage;
 };
 
@@ -94,7 +97,8 @@ TEST(TumFolderSource, FollowsTheDepthUnitOfTheCameraFile) {
 TEST(TumFolderSource, AGivenCameraFileReplacesThatOfTheFolder) {
   const TumFolder folder(1);
   SourceOptions options;
-  options.camera = folder.write("other.yaml", "width: 32\nheight: 24\nfx: 77\nfy: 30\ncx: 15.5\ncy: 11.5\n");
+  options.camera =
+      folder.write("other.yaml", "width: 32\nheight: 24\nfx: 77\nfy: 30\ncx: 15.5\ncy: 11.5\ndepth_factor: 1000\n");
   TumFolderSource source(folder.path(), options);
   EXPECT_EQ(source.next()->cameraParams.fx(), 77.0);
 }
@@ -109,7 +113,8 @@ std::string complaintAboutImageSize(const std::filesystem::path& folder) {
 TEST(TumFolderSource, KnowsTumsCamerasByTheFolderName) {
   const TumFolder folder(1);
   std::filesystem::remove(folder.path() / "camera.yaml");
-  for (const std::string name : {"rgbd_dataset_freiburg1_xyz", "fr3_walking_xyz", "TUM-Freiburg2-desk"}) {
+  for (const std::string name :
+       {"rgbd_dataset_freiburg1_xyz", "rgbd_dataset_freiburg3_walking_xyz", "rgbd_dataset_freiburg2_desk-2"}) {
     const auto named = folder.path() / name;
     std::filesystem::create_directory(named);
     for (const std::string part : {"rgb", "depth", "rgb.txt", "depth.txt"}) {
@@ -117,6 +122,124 @@ TEST(TumFolderSource, KnowsTumsCamerasByTheFolderName) {
     }
     EXPECT_THAT(complaintAboutImageSize(named / "."), HasSubstr("camera 640x480"));
   }
+}
+
+TEST(TumFolderSource, TakesNoOtherFolderForOneOfTums) {
+  const TumFolder folder(1);
+  std::filesystem::remove(folder.path() / "camera.yaml");
+  for (const std::string name : {"ward_fr1", "fr3_walking_xyz", "freiburg1_lab", "rgbd_dataset_freiburg12_x"}) {
+    const auto named = folder.path() / name;
+    std::filesystem::create_directory(named);
+    for (const std::string part : {"rgb", "depth", "rgb.txt", "depth.txt"}) {
+      std::filesystem::create_symlink(folder.path() / part, named / part);
+    }
+    EXPECT_THAT([&] { TumFolderSource(named, {}); }, ThrowsMessage<core::InputError>(HasSubstr("--camera"))) << name;
+  }
+}
+
+TEST(TumFolderSource, SaysWhichOfTumsCamerasItTakesAndWhy) {
+  const TumFolder folder(1);
+  std::filesystem::remove(folder.path() / "camera.yaml");
+  folder.write("groundtruth.txt", "# ground truth trajectory\n# file: 'rgbd_dataset_freiburg1_rpy.bag'\n");
+  const Reading reading(folder.path());
+  EXPECT_THAT(reading.notes, ElementsAre(AllOf(HasSubstr("freiburg1"), HasSubstr("groundtruth.txt"))));
+}
+
+TEST(TumFolderSource, DoesNotGuessTheUnitOfDepth) {
+  const TumFolder folder(1);
+  folder.write("camera.yaml", "width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 15.5\ncy: 11.5\n");
+  EXPECT_THAT([&] { TumFolderSource(folder.path(), {}); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("camera.yaml"), HasSubstr("depth_factor: 1000"),
+                                                    HasSubstr("depth_factor: 5000"), HasSubstr("--depth-factor"))));
+  SourceOptions options;
+  options.depth_units_per_m = 1000.0;
+  EXPECT_FLOAT_EQ(TumFolderSource(folder.path(), options).next()->rangeUnits, 0.001F);
+}
+
+TEST(TumFolderSource, AGivenUnitReplacesThatOfTheCameraFile) {
+  const TumFolder folder(1);
+  SourceOptions options;
+  options.depth_units_per_m = 1000.0;
+  EXPECT_FLOAT_EQ(TumFolderSource(folder.path(), options).next()->rangeUnits, 0.001F);
+}
+
+TEST(TumFolderSource, SaysWhereTheUnitSeemsWrong) {
+  const TumFolder folder(6);
+  EXPECT_THAT(Reading(folder.path()).notes, IsEmpty());  // about 1 m
+  SourceOptions options;
+  options.depth_units_per_m = 20000.0;
+  EXPECT_THAT(Reading(folder.path(), options).notes,
+              ElementsAre(AllOf(HasSubstr("nearer than 0.5 m"), HasSubstr("20000"), HasSubstr("--depth-factor"))));
+  options.depth_units_per_m = 500.0;
+  EXPECT_THAT(Reading(folder.path(), options).notes, ElementsAre(HasSubstr("farther than 8 m")));
+}
+
+TEST(TumFolderSource, TheLargestNumberIsNoMeasurement) {
+  const TumFolder folder(1);
+  cv::Mat depth = TumFolder::depthImage(0);
+  depth.at<std::uint16_t>(5, 5) = 65535;
+  depth.at<std::uint16_t>(5, 6) = 65534;
+  folder.writeImage(TumFolder::depthFile(0), depth);
+  TumFolderSource source(folder.path(), {});
+  const auto scan = source.next();
+  EXPECT_EQ(scan->rangeImage(5, 5), 0);
+  EXPECT_EQ(scan->rangeImage(5, 6), 65534);
+}
+
+TEST(TumFolderSource, ReadsFloatingPointDepthAsMetres) {
+  const TumFolder folder(1);
+  std::filesystem::remove(folder.path() / "camera.yaml");
+  folder.write("camera.yaml", "width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 15.5\ncy: 11.5\n");
+  cv::Mat depth(24, 32, CV_32FC1, cv::Scalar(1.5));
+  depth.at<float>(0, 0) = std::numeric_limits<float>::quiet_NaN();
+  depth.at<float>(0, 1) = std::numeric_limits<float>::infinity();
+  depth.at<float>(0, 2) = -1.0F;
+  depth.at<float>(0, 3) = 40.0F;  // more than 16 bits hold: no measurement, and no other one
+  folder.writeImage("depth/0.tiff", depth);
+  folder.write("depth.txt", TumFolder::stamp(TumFolder::depthStamp_s(0)) + " depth/0.tiff\n");
+  TumFolderSource source(folder.path(), {});
+  const auto scan = source.next();
+  ASSERT_TRUE(scan);
+  EXPECT_NEAR(scan->rangeImage(5, 5) * static_cast<double>(scan->rangeUnits), 1.5, 1e-6);
+  for (int x = 0; x < 4; ++x) EXPECT_EQ(scan->rangeImage(0, x), 0) << x;
+}
+
+TEST(TumFolderSource, NumbersOfImagesCountAtTheCamerasRate) {
+  const TumFolder folder(3);
+  folder.write("camera.yaml",
+               "width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 15.5\ncy: 11.5\ndepth_factor: 5000\nfps: 10\n");
+  folder.write("associations.txt", "0 rgb/0.png 0 depth/0.png\n1 rgb/1.png 1 depth/1.png\n2 rgb/2.png 2 depth/2.png\n");
+  const Reading reading(folder.path());
+  EXPECT_THAT(reading.stamps_s, ElementsAre(::testing::DoubleNear(0.0, 1e-6), ::testing::DoubleNear(0.1, 1e-6),
+                                            ::testing::DoubleNear(0.2, 1e-6)));
+  EXPECT_THAT(reading.notes, ElementsAre(AllOf(HasSubstr("associations.txt"), HasSubstr("10 a second"))));
+}
+
+TEST(TumFolderSource, StopsWhereTheFirstPairsAllFailAlike) {
+  const TumFolder folder(12);
+  for (int i = 0; i < 12; ++i) folder.writeImage(TumFolder::depthFile(i), cv::Mat(12, 16, CV_16UC1, cv::Scalar(5000)));
+  TumFolderSource source(folder.path(), {});
+  EXPECT_THAT([&] { (void)source.next(); },
+              ThrowsMessage<core::InputError>(
+                  AllOf(HasSubstr("16x12"), HasSubstr("register the depth images"), HasSubstr("first 10 pairs"))));
+  EXPECT_FALSE(source.next());
+}
+
+TEST(TumFolderSource, GoesOnWhereTheFirstPairsFailForDifferentReasons) {
+  const TumFolder folder(12);
+  std::filesystem::remove(folder.path() / TumFolder::depthFile(0));
+  for (int i = 1; i < 11; ++i) folder.writeImage(TumFolder::depthFile(i), cv::Mat(12, 16, CV_16UC1, cv::Scalar(5000)));
+  EXPECT_THAT(Reading(folder.path()).stamps_s, ::testing::SizeIs(1));
+}
+
+TEST(TumFolderSource, OrbSlamsCameraHasTheSizeOfTheImages) {
+  const TumFolder folder(1);
+  folder.write("camera.yaml",
+               "%YAML:1.0\n\nCamera.fx: 30.0\nCamera.fy: 31.0\nCamera.cx: 15.5\nCamera.cy: 11.5\n"
+               "DepthMapFactor: 1000.0\n");
+  const Reading reading(folder.path());
+  EXPECT_THAT(reading.stamps_s, ::testing::SizeIs(1));
+  EXPECT_THAT(reading.notes, ElementsAre(HasSubstr("calibration of ORB-SLAM"), HasSubstr("32x24")));
 }
 
 TEST(TumFolderSource, KnowsTumsCamerasByTheCommentsOfTheList) {

@@ -20,7 +20,8 @@ class TumFolder {
   static constexpr int kHeight_px = 24;
 
   explicit TumFolder(int frames, const std::string& imageType = "png") {
-    folder_.write("camera.yaml", "width: 32\nheight: 24\nfx: 30\nfy: 31\ncx: 15.5\ncy: 11.5\nk1: 0.1\n");
+    folder_.write("camera.yaml",
+                  "width: 32\nheight: 24\nfx: 30\nfy: 31\ncx: 15.5\ncy: 11.5\nk1: 0.1\ndepth_factor: 5000\n");
     std::string colorList = "# color images\n# timestamp filename\n";
     std::string depthList = "# depth maps\n";
     for (int i = 0; i < frames; ++i) {

@@ -9,6 +9,7 @@ namespace wardslam::sources {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -20,7 +21,11 @@ class ImageLists : public ::testing::Test {
     EXPECT_THAT([&] { return listImagePairs(folder.path()); },
                 ThrowsMessage<core::InputError>(AllOf(HasSubstr(where), HasSubstr(what))));
   }
+  std::vector<ImagePair> listPairs(double rate_hz = 30.0) {
+    return listImagePairs(folder.path(), {rate_hz, [this](const std::string& note) { notes.push_back(note); }});
+  }
   test::TemporaryFolder folder;
+  std::vector<std::string> notes;
 };
 
 TEST_F(ImageLists, AreAssociatedByTime) {
@@ -95,9 +100,119 @@ TEST_F(ImageLists, AStampMustBeANumber) {
   }
 }
 
-TEST_F(ImageLists, StampsMustIncrease) {
-  folder.write("rgb.txt", "1.0 rgb/a.png\n1.0 rgb/b.png\n");
-  expectError("rgb.txt:2:", "not later");
+TEST_F(ImageLists, AreTakenInOrderOfTimeAndEachStampOnce) {
+  folder.write("rgb.txt", "2.0 rgb/b.png\n1.0 rgb/a.png\n2.0 rgb/c.png\n");
+  folder.write("depth.txt", "1.0 depth/a.png\n2.0 depth/b.png\n");
+  const auto pairs = listPairs();
+  ASSERT_THAT(pairs, SizeIs(2));
+  EXPECT_EQ(pairs[0].color.file, "rgb/a.png");
+  EXPECT_EQ(pairs[1].color.file, "rgb/b.png");
+  EXPECT_THAT(notes, ElementsAre(AllOf(HasSubstr("rgb.txt"), HasSubstr("not in order of time")),
+                                 AllOf(HasSubstr("rgb.txt"), HasSubstr("1 images with the stamp of one before"))));
+}
+
+/// One line of an association list as other tools write it.
+class AssociationLine : public ImageLists {
+ protected:
+  void expectRead(const std::string& text, const std::string& name = "associations.txt") {
+    std::filesystem::remove_all(folder.path());
+    std::filesystem::create_directories(folder.path() / "rgb");
+    std::filesystem::create_directories(folder.path() / "depth");
+    for (const char* file : {"rgb/a.png", "depth/b.png"}) folder.write(file, "");
+    folder.write(name, text);
+    const auto pairs = listPairs();
+    ASSERT_THAT(pairs, SizeIs(1)) << text;
+    EXPECT_EQ(pairs[0].color.file.lexically_normal(), "rgb/a.png") << text;
+    EXPECT_EQ(pairs[0].depth.file.lexically_normal(), "depth/b.png") << text;
+    EXPECT_EQ(pairs[0].color.stamp_s, 1.5) << text;
+    EXPECT_EQ(pairs[0].depth.stamp_s, 1.25) << text;
+  }
+};
+
+TEST_F(AssociationLine, MayBeWrittenInManyWays) {
+  const std::string line = "1.5 rgb/a.png 1.25 depth/b.png\n";
+  expectRead(line);
+  expectRead(line, "associate.txt");
+  expectRead(line, "associated.txt");
+  expectRead("\xEF\xBB\xBF" + line);
+  expectRead("\xEF\xBB\xBF# made by a script\n" + line);
+  expectRead("timestamp rgb timestamp depth\n" + line);
+  expectRead("1.5,rgb/a.png,1.25,depth/b.png\r\n");
+  expectRead("1.5\trgb/a.png;1.25\tdepth/b.png\n");
+  expectRead("1.5 \"rgb/a.png\" 1.25 \"depth/b.png\"\n");
+  expectRead("1.5 rgb\\a.png 1.25 depth\\b.png\n");
+  expectRead("1.5 ./rgb/a.png 1.25 ./depth/b.png\n");
+  expectRead("1.5 /home/someone/seq/rgb/a.png 1.25 /home/someone/seq/depth/b.png\n");
+  expectRead("+1.5 rgb/a.png +1.25 depth/b.png\n");
+  expectRead("1.5 rgb/a.png + 1.25 depth/b.png\n");
+  expectRead("rgb/a.png 1.5 depth/b.png 1.25\n");
+  expectRead("1.4 0 0 0 0 0 0 1 1.25 depth/b.png 1.5 rgb/a.png\n");
+}
+
+TEST_F(ImageLists, KnowOtherNames) {
+  folder.write("color.txt", "1.0 color/a.png\n");
+  folder.write("aligned_depth.txt", "1.0 aligned_depth/a.png\n");
+  const auto pairs = listPairs();
+  ASSERT_THAT(pairs, SizeIs(1));
+  EXPECT_EQ(pairs[0].color.file, "color/a.png");
+}
+
+TEST_F(ImageLists, OfTwoNamesTakeTheStampsOfTheOtherLists) {
+  folder.write("rgb.txt", "1.5 rgb/a.png\n");
+  folder.write("depth.txt", "1.25 depth/b.png\n");
+  folder.write("associations.txt", "rgb/a.png depth/b.png\n");
+  const auto pairs = listPairs();
+  ASSERT_THAT(pairs, SizeIs(1));
+  EXPECT_EQ(pairs[0].color.stamp_s, 1.5);
+  EXPECT_EQ(pairs[0].depth.stamp_s, 1.25);
+}
+
+TEST_F(ImageLists, ThatAreNotThereAreTheNamesOfTheFiles) {
+  std::filesystem::create_directories(folder.path() / "rgb");
+  std::filesystem::create_directories(folder.path() / "depth");
+  for (const char* file : {"rgb/1.5.png", "rgb/2.5.png", "depth/1.501.png", "depth/2.501.png"}) folder.write(file, "");
+  const auto pairs = listPairs();
+  ASSERT_THAT(pairs, SizeIs(2));
+  EXPECT_EQ(pairs[0].color.stamp_s, 1.5);
+  EXPECT_EQ(pairs[1].depth.file, "depth/2.501.png");
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("has no list")));
+}
+
+TEST_F(ImageLists, AreReadByTheirClock) {
+  const std::vector<std::pair<std::string, std::string>> clocks = {
+      {"1700000003333333333", "nanoseconds"}, {"1700000003333333", "microseconds"}, {"1700000003333", "milliseconds"}};
+  for (const auto& [stamp, unit] : clocks) {
+    notes.clear();
+    folder.write("rgb.txt", "#timestamp [ns],filename\n" + stamp + ",rgb/a.png\n");
+    folder.write("depth.txt", stamp + ",depth/a.png\n");
+    const auto pairs = listPairs();
+    ASSERT_THAT(pairs, SizeIs(1)) << unit;
+    EXPECT_NEAR(pairs[0].color.stamp_s, 1700000003.333333, 4e-4) << unit;
+    EXPECT_NEAR(std::stod(pairs[0].color.stampText), 1700000003.333333, 4e-4) << unit;
+    EXPECT_THAT(notes, ElementsAre(AllOf(HasSubstr("rgb.txt"), HasSubstr(unit))));
+  }
+}
+
+TEST_F(ImageLists, ThatNumberImagesCountAtTheRate) {
+  folder.write("associations.txt", "0 depth/0.png 0 rgb/0.png\n1 depth/1.png 1 rgb/1.png\n2 depth/2.png 2 rgb/2.png\n");
+  const auto pairs = listPairs(20.0);
+  ASSERT_THAT(pairs, SizeIs(3));
+  EXPECT_EQ(pairs[0].color.file, "rgb/0.png");
+  EXPECT_DOUBLE_EQ(pairs[1].color.stamp_s, 0.05);
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("20 a second")));
+}
+
+TEST_F(ImageLists, ThatCouldMeanTwoThingsAreAskedFor) {
+  folder.write("rgb.txt", "0 a.png\n33 b.png\n66 c.png\n99 d.png\n");
+  folder.write("depth.txt", "0 a.png\n33 b.png\n66 c.png\n99 d.png\n");
+  expectError("rgb.txt:1", "milliseconds as well as images");
+}
+
+TEST_F(ImageLists, OfUtf16AreNamed) {
+  folder.write("rgb.txt", std::string("\xFF\xFE"
+                                      "1\0 \0",
+                                      6));
+  expectError("rgb.txt", "UTF-16");
 }
 
 TEST_F(ImageLists, ListsOfDifferentClocksAreAnError) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -12,48 +11,42 @@
 #include <string>
 #include <string_view>
 
+#include "trajectory_columns.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/text_lines.h"
 
 namespace wardslam::exchange {
 namespace {
 
-constexpr std::string_view kSeparators = " \t,\r";
+namespace fs = std::filesystem;
+using core::StampUnit;
+using core::TextLine;
+
 constexpr double kFarthest_m = 1e8;  ///< No grid on earth counts as far; squares of more may be infinite.
 
-struct Line {
-  std::size_t number = 0;
-  std::string text;
-};
-
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> fields;
-  while (true) {
-    text.remove_prefix(std::min(text.find_first_not_of(kSeparators), text.size()));
-    if (text.empty()) return fields;
-    fields.push_back(text.substr(0, text.find_first_of(kSeparators)));
-    text.remove_prefix(fields.back().size());
-  }
-}
-
-/// The lines that are neither blank nor a comment.
-std::vector<Line> readLines(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file)) {
-    throw core::InputError(file.string() + ": cannot be opened; is it there and a text file?");
-  }
-  std::vector<Line> lines;
-  std::string text;
-  for (std::size_t number = 1; std::getline(in, text); ++number) {
-    const auto fields = split(text);
-    if (!fields.empty() && fields.front().front() != '#') lines.push_back({number, text});
-  }
-  return lines;
-}
-
-[[noreturn]] void fail(const std::filesystem::path& file, const Line& line, const std::string& expected) {
+[[noreturn]] void fail(const fs::path& file, const TextLine& line, const std::string& expected) {
   constexpr std::size_t kShown = 80;
   throw core::InputError(file.string() + ":" + std::to_string(line.number) + ": expected " + expected + ", found '" +
                          line.text.substr(0, kShown) + "'");
+}
+
+/// Where a list is parted by blanks and every number has a comma, that is the decimal point.
+std::vector<std::string> fieldsIn(const std::string& text) {
+  std::string blanks = text;
+  bool hasCommas = true;
+  for (std::size_t at = 0; at < blanks.size() && hasCommas;) {
+    const std::size_t end = std::min(blanks.find_first_of(" \t", at), blanks.size());
+    const std::string word = blanks.substr(at, end - at);
+    if (!word.empty()) {
+      hasCommas = std::count(word.begin(), word.end(), ',') == 1 && word.front() != ',' && word.back() != ',' &&
+                  word.find('.') == std::string::npos;
+    }
+    at = end + 1;
+  }
+  if (hasCommas && blanks.find_first_of(" \t") != std::string::npos) {
+    std::replace(blanks.begin(), blanks.end(), ',', '.');
+  }
+  return core::wordsIn(blanks);
 }
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -65,9 +58,9 @@ std::optional<double> parseNumber(std::string_view text) {
 }
 
 /// Nothing unless every field is a number.
-std::optional<std::vector<double>> parseNumbers(std::string_view text) {
+std::optional<std::vector<double>> parseNumbers(const std::vector<std::string>& fields) {
   std::vector<double> numbers;
-  for (const std::string_view field : split(text)) {
+  for (const std::string& field : fields) {
     const auto number = parseNumber(field);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
@@ -75,26 +68,116 @@ std::optional<std::vector<double>> parseNumbers(std::string_view text) {
   return numbers;
 }
 
-/// `row`: timestamp tx ty tz qx qy qz qw. Nothing where it holds no pose: NaN, or a quaternion without direction.
-std::optional<Eigen::Isometry3d> poseOf(const std::vector<double>& row) {
+/// The lines with poses, and what their columns mean.
+struct PoseTable {
+  std::vector<TextLine> lines;
+  TrajectoryColumns columns;
+  bool hasHeadings = false;
+};
+
+constexpr const char* kExpected = "the 8 numbers 'timestamp tx ty tz qx qy qz qw'";
+
+PoseTable readTable(const fs::path& file) {
+  PoseTable table;
+  std::optional<TrajectoryColumns> headings;
+  for (TextLine& line : core::readTextLines(file)) {
+    const bool isFirst = table.lines.empty() && !line.isRemark;
+    if (line.isRemark || (isFirst && !parseNumbers(fieldsIn(line.text)) && columnsByHeadings(line.text))) {
+      if (table.lines.empty()) {
+        if (const auto columns = columnsByHeadings(line.text)) headings = columns;
+      }
+      continue;
+    }
+    table.lines.push_back(std::move(line));
+  }
+  if (table.lines.empty()) return table;
+  const auto first = parseNumbers(fieldsIn(table.lines.front().text));
+  if (!first) fail(file, table.lines.front(), kExpected);
+  table.hasHeadings = headings && headings->count == first->size();
+  const auto columns = table.hasHeadings ? headings : columnsByNumbers(*first);
+  if (!columns) fail(file, table.lines.front(), kExpected);
+  table.columns = *columns;
+  return table;
+}
+
+void tellOfColumns(const PoseTable& table, const fs::path& file, const TrajectoryReading& reading) {
+  const TrajectoryColumns standard;
+  if (table.lines.empty() || (table.columns.count == standard.count &&
+                              table.columns.orientation == standard.orientation && table.columns.stamp == 0U)) {
+    return;
+  }
+  if (table.columns.isMatrix) {
+    reading.note(file.string() +
+                 ": has 12 numbers a line, which are taken for the 3x4 matrices of KITTI, one an image");
+  } else {
+    reading.note(file.string() + ": has " + std::to_string(table.columns.count) +
+                 " columns, whose order is taken from " +
+                 (table.hasHeadings ? "its headings" : "their numbers, besides one that numbers the poses"));
+  }
+}
+
+std::vector<std::string> stampsOf(const PoseTable& table) {
+  std::vector<std::string> stamps;
+  for (const TextLine& line : table.lines) {
+    const auto fields = fieldsIn(line.text);
+    const std::size_t column = table.columns.stamp.value_or(0);
+    if (!table.columns.stamp) {
+      stamps.push_back(std::to_string(stamps.size()));
+    } else if (column < fields.size()) {
+      stamps.push_back(fields[column]);
+    }
+  }
+  return stamps;
+}
+
+/// Small whole numbers stay what they are unless it is known that they number images.
+StampUnit unitOf(const std::vector<std::string>& stamps) {
+  return core::recogniseStampUnit({stamps.begin(), stamps.end()}).value_or(StampUnit::Seconds);
+}
+
+core::StampClock clockFor(StampUnit unit, const fs::path& file, const TrajectoryReading& reading) {
+  if (unit == StampUnit::Frames && !reading.rate_hz) return core::StampClock();
+  const core::StampClock clock(unit, reading.rate_hz.value_or(1.0));
+  if (!clock.isSeconds()) reading.note(file.string() + ": " + clock.sentencePart());
+  return clock;
+}
+
+/// Nothing where the row holds no pose: NaN, or a quaternion without direction.
+std::optional<Eigen::Isometry3d> poseOf(const std::vector<double>& row, const TrajectoryColumns& columns) {
   if (!std::all_of(row.begin(), row.end(), [](double number) { return std::isfinite(number); })) return std::nullopt;
-  const Eigen::Quaterniond q(row[7], row[4], row[5], row[6]);
+  if (columns.isMatrix) {
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> matrix(row.data());
+    T.linear() = Eigen::Quaterniond(Eigen::Matrix3d(matrix.leftCols<3>())).normalized().toRotationMatrix();
+    T.translation() = matrix.col(3);
+    return T;
+  }
+  const auto& [x, y, z, w] = columns.orientation;
+  const Eigen::Quaterniond q(row[w], row[x], row[y], row[z]);
   if (q.norm() < std::numeric_limits<double>::epsilon()) return std::nullopt;
-  return Eigen::Translation3d(row[1], row[2], row[3]) * q.normalized();
+  const auto& [px, py, pz] = columns.position;
+  return Eigen::Translation3d(row[px], row[py], row[pz]) * q.normalized();
 }
 
 }  // namespace
 
-core::Trajectory readTumTrajectory(const std::filesystem::path& file) {
+core::Trajectory readTumTrajectory(const fs::path& file, const TrajectoryReading& reading) {
+  const PoseTable table = readTable(file);
+  tellOfColumns(table, file, reading);
+  const core::StampClock clock = clockFor(unitOf(stampsOf(table)), file, reading);
   std::map<double, Eigen::Isometry3d> poses;
-  for (const Line& line : readLines(file)) {
-    const auto row = parseNumbers(line.text);
-    if (!row || row->size() != 8) fail(file, line, "the 8 numbers 'timestamp tx ty tz qx qy qz qw'");
-    const auto T_map_cam = poseOf(*row);
+  std::size_t number = 0;
+  for (const TextLine& line : table.lines) {
+    const auto fields = fieldsIn(line.text);
+    const auto row = parseNumbers(fields);
+    if (!row || row->size() != table.columns.count) fail(file, line, kExpected);
+    const std::string stamp = table.columns.stamp ? fields[*table.columns.stamp] : std::to_string(number++);
+    const auto stamp_s = clock.seconds(stamp);
+    const auto T_map_cam = stamp_s ? poseOf(*row, table.columns) : std::nullopt;
     if (T_map_cam && !(T_map_cam->translation().cwiseAbs().maxCoeff() <= kFarthest_m)) {
       fail(file, line, "a position in metres on this earth");
     }
-    if (T_map_cam) poses.insert_or_assign(row->front(), *T_map_cam);
+    if (T_map_cam) poses.insert_or_assign(*stamp_s, *T_map_cam);
   }
   if (poses.empty()) throw core::InputError(file.string() + ": holds no pose; is it the trajectory you meant?");
 
@@ -104,11 +187,22 @@ core::Trajectory readTumTrajectory(const std::filesystem::path& file) {
   return trajectory;
 }
 
-std::vector<double> readTumStamps(const std::filesystem::path& file) {
+bool numbersImages(const fs::path& trajectory) { return unitOf(stampsOf(readTable(trajectory))) == StampUnit::Frames; }
+
+std::vector<double> readTumStamps(const fs::path& file, const TrajectoryReading& reading) {
+  std::vector<std::string> words;
+  std::vector<TextLine> lines;
+  for (TextLine& line : core::readTextLines(file)) {
+    if (line.isRemark) continue;
+    const auto fields = core::wordsIn(line.text);
+    words.push_back(fields.empty() ? "" : fields.front());
+    lines.push_back(std::move(line));
+  }
+  const core::StampClock clock = clockFor(unitOf(words), file, reading);
   std::set<double> stamps_s;
-  for (const Line& line : readLines(file)) {
-    const auto stamp_s = parseNumber(split(line.text).front());
-    if (!stamp_s || !std::isfinite(*stamp_s)) fail(file, line, "a timestamp in the first column");
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto stamp_s = clock.seconds(words[i]);
+    if (!stamp_s) fail(file, lines[i], "a timestamp in the first column");
     stamps_s.insert(*stamp_s);
   }
   if (stamps_s.empty()) throw core::InputError(file.string() + ": holds no timestamp; is it the list you meant?");

@@ -1,7 +1,10 @@
 #include "wardslam/segmentation/label_map.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "wardslam/core/data_files.h"
@@ -17,7 +20,8 @@ using core::ConfigNode;
 
 constexpr int kMaxId = 255;
 constexpr int kMaxIndex = 65535;
-constexpr int kMaxNesting = 8;  // of files that extend each other
+constexpr int kFirstOwnId = 150;  // behind those of labels/hospital.yaml
+constexpr int kMaxNesting = 8;    // of files that extend each other
 
 fs::path locate(const fs::path& file) { return fs::exists(file) ? file : core::findDataFile(file); }
 
@@ -37,6 +41,22 @@ int keyNumber(const ConfigNode& map, const YAML::Node& key, int min, int max) {
   const auto number = numberIn(node, min, max);
   if (!number) node.fail("a number is expected as key");
   return *number;
+}
+
+/// In small letters, words parted by blanks.
+std::string plain(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char letter) {
+    return letter == '_' || letter == '-' ? ' ' : static_cast<char>(std::tolower(letter));
+  });
+  return name;
+}
+
+std::optional<core::ClassId> findAlike(const core::LabelSpace& labels, const std::string& name) {
+  for (int id = 1; id <= kMaxId; ++id) {
+    const auto& known = labels.name(static_cast<core::ClassId>(id));
+    if (!known.empty() && plain(known) == plain(name)) return static_cast<core::ClassId>(id);
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> namesOf(const core::LabelSpace& labels) {
@@ -62,11 +82,21 @@ class LabelFileReader {
   }
 
  private:
+  /// Beside the file, as configurations are, or among the label files that come with the program.
+  static fs::path findBase(const std::string& name, const fs::path& referringFile) {
+    if (fs::exists(referringFile.parent_path() / name)) return referringFile.parent_path() / name;
+    try {
+      return core::findDataFile(fs::path("labels") / name);
+    } catch (const core::InputError&) {
+      return core::findDataFile(name, referringFile);
+    }
+  }
+
   static void readNames(core::LabelSpace& labels, const ConfigNode& root, int depth) {
     if (const auto extends = root.child("extends"); extends.exists()) {
       if (depth == kMaxNesting) extends.fail("label files extend each other in a circle");
       if (!extends.yaml().IsScalar()) extends.fail("the name of a label file is expected here");
-      const auto base = core::findDataFile(extends.yaml().Scalar(), root.file());
+      const auto base = findBase(extends.yaml().Scalar(), root.file());
       readNames(labels, ConfigNode::fromFile(base), depth + 1);
     }
     const auto names = root.child("names");
@@ -141,17 +171,50 @@ LabelMap LabelMap::fromFile(const fs::path& file, int firstId) {
                        : consecutive(core::LabelSpace::cocoWith(found), firstId);
 }
 
-LabelMap LabelMap::forNetwork(int classes, const fs::path& file, const std::string& network) {
+LabelMap LabelMap::fromNames(const std::vector<std::string>& names, const std::string& network) {
+  static const core::LabelSpace kHospital = fromFile("labels/hospital.yaml").labels();
+  LabelMap map;
+  map.extent_ = Extent::Exactly;
+  int nextOwn = kFirstOwnId;
+  for (const std::string& name : names) {
+    const auto known = findAlike(kHospital, name);
+    if (known && map.labels_.name(*known).empty()) map.labels_.rename(*known, kHospital.name(*known));
+    auto id = known ? known : map.labels_.find(name);
+    if (!id && !name.empty()) {
+      if (nextOwn > kMaxId) {
+        throw core::InputError(network + ": names more classes of its own than there are ids (" +
+                               std::to_string(kMaxId - kFirstOwnId + 1) +
+                               "); say with --classes which of them are wanted");
+      }
+      id = static_cast<core::ClassId>(nextOwn++);
+      map.labels_.rename(*id, name);
+    }
+    map.ids_.push_back(id.value_or(core::ClassId{0}));
+  }
+  return map;
+}
+
+LabelMap LabelMap::forNetwork(int classes, const fs::path& file, const std::string& network,
+                              const std::vector<std::string>& names, Family family) {
   const auto fail = [&](const std::string& what) {
     throw core::InputError(network + ": knows " + std::to_string(classes) + " classes, " + what +
                            " (segmentation.classes)");
   };
   static const std::map<int, const char*> kKnown = {
       {21, "labels/voc21.yaml"}, {90, "labels/coco90.yaml"}, {150, "labels/ade150.yaml"}};
+  if (file.empty() && !names.empty()) {
+    if (static_cast<int>(names.size()) != classes) {
+      fail("but names " + std::to_string(names.size()) + "; name them in a label file: --classes FILE");
+    }
+    return fromNames(names, network);
+  }
   if (file.empty()) {
     if (classes == 80) return consecutive(core::LabelSpace::coco());
-    if (const auto known = kKnown.find(classes); known != kKnown.end()) return fromFile(known->second);
-    fail("which are not those of COCO, Pascal VOC or ADE20K; name them in a label file");
+    const auto known = kKnown.find(classes);
+    if (family == Family::Other && known != kKnown.end()) return fromFile(known->second);
+    fail(family == Family::Yolo
+             ? "brings no names for them, and they are not COCO's; name them in a label file: --classes FILE"
+             : "which are not those of COCO, Pascal VOC or ADE20K; name them in a label file: --classes FILE");
   }
   LabelMap map = fromFile(file);
   const std::size_t listed = map.ids_.size();

@@ -47,7 +47,7 @@ MaskRcnnSegmenter::MaskRcnnSegmenter(MaskRcnnOptions options, OpenedNetwork open
     throw core::InputError(source.model.string() + ": its outputs " + shapesText(outputs) +
                            " are not those of a Mask R-CNN (detections and masks)" + source.advice);
   }
-  labels_ = LabelMap::forNetwork(*classes, classesFile, source.model.string());
+  labels_ = LabelMap::forNetwork(*classes, classesFile, source.model.string(), opened.classNames);
 }
 
 Segmenter::Result MaskRcnnSegmenter::segment(const SegmenterInput& input) {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "class_names.h"
 #include "onnx_file.h"
 #include "onnxruntime_network.h"
 #include "opencv_network.h"
@@ -44,8 +45,18 @@ cv::Size onnxInputSize(const NetworkSource& source, std::string_view bytes) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
+/// What no library could run, said in other words than a library's.
+void refuseUnfitOnnx(const NetworkSource& source, std::string_view bytes) {
+  if (takesHalfFloats(bytes)) fail(source.model, "takes 16-bit floating-point numbers; export it with half=False");
+  const auto shape = onnxImageInput(bytes, source.channels);
+  if (source.needsFixedInput && shape && std::min((*shape)[2], (*shape)[3]) < 1) {
+    fail(source.model, "leaves the size of its input open; export it with a fixed one (imgsz=256,320 dynamic=False)");
+  }
+}
+
 OpenedNetwork openOnnx(NetworkSource source) {
   const std::string bytes = readModel(source);
+  refuseUnfitOnnx(source, bytes);
   if (source.outputs.empty()) source.outputs = onnxOutputs(bytes);
   OpenedNetwork opened;
   if constexpr (hasOnnxRuntime()) {
@@ -53,6 +64,10 @@ OpenedNetwork openOnnx(NetworkSource source) {
   }
   if (!opened.network) opened.network = std::make_unique<OpenCvNetwork>(source, bytes);
   opened.input_px = onnxInputSize(source, bytes);
+  const auto metadata = onnxMetadata(bytes);
+  if (const auto names = metadata.find("names"); names != metadata.end()) {
+    opened.classNames = parseClassNames(names->second);
+  }
   return opened;
 }
 

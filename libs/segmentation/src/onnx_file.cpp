@@ -97,6 +97,39 @@ std::optional<std::vector<std::int64_t>> onnxImageInput(std::string_view bytes, 
   return std::nullopt;
 }
 
+std::vector<std::vector<std::int64_t>> onnxOutputShapes(std::string_view bytes) {
+  constexpr std::uint64_t kOutput = 12;
+  std::vector<std::vector<std::int64_t>> shapes;
+  MessageReader graph(child(bytes, kGraph));
+  while (const auto field = graph.next()) {
+    if (field->number == kOutput) shapes.push_back(shapeOf(field->bytes));
+  }
+  return shapes;
+}
+
+std::map<std::string, std::string> onnxMetadata(std::string_view bytes) {
+  constexpr std::uint64_t kMetadata = 14, kKey = 1, kValue = 2;
+  std::map<std::string, std::string> metadata;
+  MessageReader model(bytes);
+  while (const auto field = model.next()) {
+    if (field->number == kMetadata) metadata.emplace(child(field->bytes, kKey), child(field->bytes, kValue));
+  }
+  return metadata;
+}
+
+bool takesHalfFloats(std::string_view bytes) {
+  constexpr std::uint64_t kInput = 11, kType = 2, kTensorType = 1, kElementType = 1, kFloat16 = 10;
+  MessageReader graph(child(bytes, kGraph));
+  while (const auto field = graph.next()) {
+    if (field->number != kInput) continue;
+    MessageReader tensor(child(child(field->bytes, kType), kTensorType));
+    while (const auto part = tensor.next()) {
+      if (part->number == kElementType && part->value == kFloat16) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<std::string> onnxOutputs(std::string_view bytes) {
   constexpr std::uint64_t kOutput = 12, kName = 1;
   std::vector<std::string> names;

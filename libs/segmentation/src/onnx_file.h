@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,5 +19,14 @@ namespace wardslam::segmentation {
 /// Names of the outputs that an ONNX file declares, in its order, which cv::dnn does not keep. Empty when the bytes are
 /// not ONNX.
 [[nodiscard]] std::vector<std::string> onnxOutputs(std::string_view bytes);
+
+/// Shapes of the outputs that an ONNX file declares, in its order; an open dimension is 0.
+[[nodiscard]] std::vector<std::vector<std::int64_t>> onnxOutputShapes(std::string_view bytes);
+
+/// What the writer of an ONNX file noted, by key ("names", "stride"). Empty when the bytes are not ONNX.
+[[nodiscard]] std::map<std::string, std::string> onnxMetadata(std::string_view bytes);
+
+/// Whether the image that it takes is to be of 16-bit floating-point numbers.
+[[nodiscard]] bool takesHalfFloats(std::string_view bytes);
 
 }  // namespace wardslam::segmentation

@@ -1,12 +1,10 @@
 #include "wardslam/segmentation/recorded_masks.h"
 
 #include <cstdio>
-#include <fstream>
-#include <iterator>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
-#include <vector>
 
+#include "mask_file.h"
+#include "mask_survey.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/segmentation/instance_images.h"
 
@@ -38,25 +36,10 @@ std::string stampText(double stamp_s) {
   return text;
 }
 
-// Empty when the file is missing (which cv::imread would print) or cannot be decoded.
-cv::Mat readImage(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-  if (bytes.empty()) return {};
-  try {
-    return cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
-
-std::string notClassIds(const fs::path& file) {
-  return file.string() + ": not an 8-bit single-channel PNG; save class ids as grey values, 0 where there is none";
-}
-
 std::string onlyNameless(const fs::path& file, core::ClassId id) {
   return file.string() + ": holds grey value " + std::to_string(id) +
-         ", and no class has that number; save class ids " + "as grey values (1 is person), or name it in classes.txt";
+         ", and no class has that number; save class ids as grey values (1 is person), or say what it means with "
+         "--classes FILE or in classes.txt";
 }
 
 // Takes out what has no name. The first such id; 0 when there is none.
@@ -81,14 +64,12 @@ core::ClassId removeNameless(cv::Mat& classIds, const core::LabelSpace& labels) 
 RecordedMasks::RecordedMasks(const RecordedMasksOptions& options, const fs::path& classesFile)
     : folder_(normalised(options.folder)),
       options_(options),
-      masks_(folder_, ".png"),
+      masks_(folder_, ".png", options.rate_hz),
       labels_(readLabels(folder_, classesFile)) {
   const fs::path instances = folder_.parent_path() / "instances";
   if (fs::is_directory(instances)) instancesFolder_ = instances;
 
-  // One file of the wrong kind means all are; one that is damaged does not.
-  const cv::Mat first = readImage(masks_.firstFile());
-  if (!first.empty() && first.type() != CV_8UC1) throw core::InputError(notClassIds(masks_.firstFile()));
+  notes_ = surveyMasks(folder_, masks_, labels_);
 }
 
 Segmenter::Result RecordedMasks::segment(const SegmenterInput& input) {
@@ -96,11 +77,9 @@ Segmenter::Result RecordedMasks::segment(const SegmenterInput& input) {
   if (!file) return miss("segmentation.mask_missing", describeNoMatch(input.stamp_s));
 
   constexpr const char* kUnreadable = "segmentation.mask_unreadable";
-  cv::Mat classIds = readImage(*file);
-  if (classIds.empty()) {
-    return miss(kUnreadable, file->string() + ": damaged or not a PNG; write the masks anew or leave this one out");
-  }
-  if (classIds.type() != CV_8UC1) return miss(kUnreadable, notClassIds(*file));
+  MaskFile mask = readMaskFile(*file);
+  if (mask.values.empty()) return miss(kUnreadable, mask.trouble);
+  cv::Mat classIds = mask.values;
   if (classIds.size() != input.color_bgr.size()) {
     return miss(kUnreadable, file->string() + ": is " + sizeText(classIds) + ", but the image it belongs to is " +
                                  sizeText(input.color_bgr) + "; give masks made from images of that size");
@@ -126,7 +105,7 @@ void RecordedMasks::finish() {
 cv::Mat RecordedMasks::readInstanceIds(const fs::path& maskFile, const cv::Mat& classIds,
                                        core::EventCounts& events) const {
   if (!instancesFolder_.empty()) {
-    cv::Mat ids = readImage(instancesFolder_ / maskFile.filename());
+    cv::Mat ids = readUnchanged(instancesFolder_ / maskFile.filename());
     if (ids.type() == CV_8UC1) ids.convertTo(ids, CV_16U);
     if (ids.type() == CV_16UC1 && ids.size() == classIds.size()) return ids;
     ++events["segmentation.instances_unreadable"];
@@ -144,10 +123,12 @@ Segmenter::Result RecordedMasks::miss(const char* event, const std::string& reas
 
 std::string RecordedMasks::describeNoMatch(double stamp_s) const {
   std::ostringstream sentence;
+  const bool isNumbered = masks_.clock().unit() == core::StampUnit::Frames;
   sentence << folder_.string() << ": no mask within " << options_.tolerance_ms << " ms of the first image ("
            << stampText(stamp_s) << ") nor of those after it, as the masks run from "
            << stampText(masks_.firstStamp_s()) << " to " << stampText(masks_.lastStamp_s())
-           << "; give the masks folder of this recording";
+           << (isNumbered ? "; they are numbered: name them by the stamps of their colour images"
+                          : "; give the masks folder of this recording");
   return sentence.str();
 }
 

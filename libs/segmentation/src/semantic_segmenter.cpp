@@ -35,11 +35,13 @@ std::optional<SemanticLayout> layoutOf(const std::vector<cv::Mat>& outputs, cons
   return outputs.empty() ? std::nullopt : SemanticLayout::fromShape(shapeOf(outputs.front()), input_px);
 }
 
-LabelMap labelsFor(const SemanticLayout& layout, const fs::path& classesFile, const fs::path& model) {
+LabelMap labelsFor(const SemanticLayout& layout, const fs::path& classesFile, const fs::path& model,
+                   const std::vector<std::string>& names) {
   if (layout.kind != SemanticLayout::Kind::ClassMap) {
-    return LabelMap::forNetwork(layout.classes, classesFile, model.string());
+    return LabelMap::forNetwork(layout.classes, classesFile, model.string(), names);
   }
   if (!classesFile.empty()) return LabelMap::fromFile(classesFile);
+  if (!names.empty()) return LabelMap::fromNames(names, model.string());
   throw core::InputError(model.string() +
                          ": puts out class numbers without telling how many there are; name them in a label file "
                          "(segmentation.classes)");
@@ -86,7 +88,7 @@ SemanticSegmenter::SemanticSegmenter(const SemanticOptions& options, OpenedNetwo
                            " are not those of a semantic network (scores or a number per pixel, of one image)");
   }
   layout_ = *layout;
-  labels_ = labelsFor(layout_, classesFile, source.model);
+  labels_ = labelsFor(layout_, classesFile, source.model, opened.classNames);
 }
 
 Segmenter::Result SemanticSegmenter::segment(const SegmenterInput& input) {

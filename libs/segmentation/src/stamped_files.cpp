@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -16,37 +15,67 @@ namespace {
 // Microseconds as integers: stamps that went through text and back compare equal.
 std::int64_t toMicroseconds(double stamp_s) { return std::llround(stamp_s * 1e6); }
 
-std::optional<std::int64_t> stampOf(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
-  const char* const end = stem.data() + stem.size();
-  double stamp_s = 0.0;
-  const auto parsed = std::from_chars(stem.data(), end, stamp_s, std::chars_format::fixed);
-  const bool plausible = parsed.ec == std::errc() && parsed.ptr == end && std::abs(stamp_s) < 1e12;
-  return plausible ? std::optional(toMicroseconds(stamp_s)) : std::nullopt;
-}
-
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return text;
 }
 
+bool isImageEnding(const std::string& extension) {
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+/// The digits of a name; nothing where it is not a number.
+std::optional<std::string> stampIn(const std::filesystem::path& file) {
+  std::filesystem::path stem = file.stem();
+  if (isImageEnding(lowerCase(stem.extension().string()))) stem = stem.stem();
+  std::string stamp = stem.string();
+  if (std::count(stamp.begin(), stamp.end(), '_') == 1 && stamp.find('.') == std::string::npos) {
+    std::replace(stamp.begin(), stamp.end(), '_', '.');
+  }
+  const bool isPlain = std::all_of(stamp.begin(), stamp.end(), [](unsigned char letter) {
+    return std::isdigit(letter) != 0 || letter == '.' || letter == '-';
+  });
+  return isPlain && core::StampClock().seconds(stamp) ? std::optional(stamp) : std::nullopt;
+}
+
+core::StampClock clockOf(const std::filesystem::path& folder, std::vector<std::string> stamps, double rate_hz) {
+  const auto valueOf = [](const std::string& stamp) { return *core::StampClock().seconds(stamp); };
+  std::sort(stamps.begin(), stamps.end(),
+            [&](const std::string& a, const std::string& b) { return valueOf(a) < valueOf(b); });
+  if (const auto unit = core::recogniseStampUnit({stamps.begin(), stamps.end()}))
+    return core::StampClock(*unit, rate_hz);
+  throw core::InputError(folder.string() + ": names such as " + stamps.front() +
+                         " may count milliseconds as well as images; name the files by the stamps of the images, in "
+                         "seconds");
+}
+
 }  // namespace
 
-StampedFiles::StampedFiles(const std::filesystem::path& folder, const std::filesystem::path& extension) {
+StampedFiles::StampedFiles(const std::filesystem::path& folder, const std::filesystem::path& extension,
+                           double rate_hz) {
   std::error_code trouble;
   std::filesystem::directory_iterator entries(folder, trouble);
   if (trouble) {
     throw core::InputError(folder.string() + ": cannot be listed (" + trouble.message() +
                            "); give the folder that holds one file per image, named by its stamp");
   }
+  std::vector<std::filesystem::path> paths;
+  std::vector<std::string> stamps;
   for (const auto& entry : entries) {
     if (lowerCase(entry.path().extension().string()) != extension.string()) continue;
-    if (const auto stamp_us = stampOf(entry.path())) files_.push_back({*stamp_us, entry.path()});
+    const auto stamp = stampIn(entry.path());
+    if (!stamp) continue;
+    paths.push_back(entry.path());
+    stamps.push_back(*stamp);
   }
-  if (files_.empty()) {
+  if (paths.empty()) {
     throw core::InputError(folder.string() + ": holds no " + extension.string() +
                            " file named by the stamp of an image, such as 1305031234.293697" + extension.string());
+  }
+  clock_ = clockOf(folder, stamps, rate_hz);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    files_.push_back({toMicroseconds(clock_.seconds(stamps[i]).value_or(0.0)), paths[i]});
   }
   std::sort(files_.begin(), files_.end(), [](const File& a, const File& b) {
     return a.stamp_us != b.stamp_us ? a.stamp_us < b.stamp_us : a.path < b.path;

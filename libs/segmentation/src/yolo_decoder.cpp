@@ -11,6 +11,9 @@ namespace wardslam::segmentation {
 namespace {
 
 constexpr int kBoxValues = 4;
+constexpr int kEndToEndValues = 6;  // box, confidence, class
+constexpr float kLargestClass = 65535.0F;
+constexpr float kHighest = 1.001F;  // of a confidence, with what rounding adds
 
 struct Detection {
   cv::Rect2d box_px;  // in the input
@@ -18,6 +21,22 @@ struct Detection {
   core::ClassId classId = 0;
   std::vector<float> coefficients;
 };
+
+void requireConfidence(float confidence) {
+  if (std::isfinite(confidence) && confidence > kHighest) {
+    throw YoloLayoutError("puts out a confidence of " + std::to_string(confidence) + ", which is above 1");
+  }
+}
+
+/// Whether a grid of anchors over the input has so many: `perCell` in each cell of each stride.
+bool isExplainedByStrides(int anchors, const cv::Size& input_px, int perCell) {
+  static const std::vector<std::vector<int>> kStrides = {{8, 16, 32}, {8, 16, 32, 64}, {4, 8, 16, 32}};
+  return std::any_of(kStrides.begin(), kStrides.end(), [&](const std::vector<int>& strides) {
+    int cells = 0;
+    for (const int stride : strides) cells += (input_px.width / stride) * (input_px.height / stride);
+    return anchors == perCell * cells;
+  });
+}
 
 std::optional<Detection> readAnchor(const float* values, const YoloLayout& layout, const LabelMap& labels,
                                     float threshold) {
@@ -27,6 +46,7 @@ std::optional<Detection> readAnchor(const float* values, const YoloLayout& layou
   const float* scores = values + kBoxValues + (hasObjectness ? 1 : 0);
   const float* best = std::max_element(scores, scores + layout.classes);
   const float confidence = objectness * *best;
+  requireConfidence(confidence);
   const core::ClassId classId = labels.classOf(static_cast<int>(best - scores));
   const bool isBoxFinite = std::all_of(values, values + kBoxValues, [](float value) { return std::isfinite(value); });
   if (!(confidence >= threshold) || classId == 0 || !isBoxFinite) return std::nullopt;
@@ -39,6 +59,27 @@ std::optional<Detection> readAnchor(const float* values, const YoloLayout& layou
                    {coefficients, coefficients + layout.prototypes}};
 }
 
+/// A row of a network that suppresses itself.
+std::optional<Detection> readRow(const float* values, const YoloLayout& layout, const LabelMap& labels,
+                                 float threshold) {
+  const float confidence = values[kBoxValues];
+  if (!(confidence >= threshold)) return std::nullopt;
+  requireConfidence(confidence);
+  const float number = values[kBoxValues + 1];
+  if (!(number >= 0.0F && number == std::floor(number))) {
+    throw YoloLayoutError("puts out " + std::to_string(number) + " where the number of a class should be");
+  }
+  const core::ClassId classId = labels.classOf(static_cast<int>(std::min(number, kLargestClass)));
+  const bool isBoxFinite = std::all_of(values, values + kBoxValues, [](float value) { return std::isfinite(value); });
+  if (classId == 0 || !isBoxFinite) return std::nullopt;
+  const float* coefficients = values + kEndToEndValues;
+  return Detection{
+      {values[0], values[1], static_cast<double>(values[2]) - values[0], static_cast<double>(values[3]) - values[1]},
+      confidence,
+      classId,
+      {coefficients, coefficients + layout.prototypes}};
+}
+
 std::vector<Detection> readAnchors(const cv::Mat& detections, const YoloLayout& layout, const LabelMap& labels,
                                    float threshold) {
   const cv::Mat values = detections.reshape(1, detections.size[1]);
@@ -46,6 +87,12 @@ std::vector<Detection> readAnchors(const cv::Mat& detections, const YoloLayout& 
   const auto read = [&](const float* anchor) {
     if (auto detection = readAnchor(anchor, layout, labels, threshold)) found.push_back(std::move(*detection));
   };
+  if (layout.version == YoloLayout::Version::EndToEnd) {
+    for (int i = 0; i < values.rows; ++i) {
+      if (auto detection = readRow(values.ptr<float>(i), layout, labels, threshold)) found.push_back(*detection);
+    }
+    return found;
+  }
   if (layout.version == YoloLayout::Version::V5) {
     for (int i = 0; i < values.rows; ++i) read(values.ptr<float>(i));
     return found;
@@ -128,16 +175,27 @@ class MaskAssembler {
 
 }  // namespace
 
-std::optional<YoloLayout> YoloLayout::fromShapes(const std::vector<int>& detections,
-                                                 const std::vector<int>& prototypes) {
+std::optional<YoloLayout> YoloLayout::fromShapes(const std::vector<int>& detections, const std::vector<int>& prototypes,
+                                                 const cv::Size& input_px) {
   if (detections.size() != 3 || detections[0] != 1 || prototypes.size() != 4 || prototypes[0] != 1) return std::nullopt;
+  constexpr int kAnchorsPerCell = 3;  // of v5
+  if (*std::min_element(prototypes.begin(), prototypes.end()) < 1) return std::nullopt;
   YoloLayout layout;
+  const bool hasEndToEndValues = detections[2] == kEndToEndValues + prototypes[1];
+  if (!input_px.empty() && hasEndToEndValues && !isExplainedByStrides(detections[1], input_px, kAnchorsPerCell)) {
+    layout.version = Version::EndToEnd;
+    layout.anchors = detections[1];
+    layout.prototypes = prototypes[1];
+    return layout;
+  }
   layout.version = detections[1] > detections[2] ? Version::V5 : Version::V8;
   layout.anchors = std::max(detections[1], detections[2]);
   layout.prototypes = prototypes[1];
   const int objectness = layout.version == Version::V5 ? 1 : 0;
   layout.classes = std::min(detections[1], detections[2]) - kBoxValues - objectness - layout.prototypes;
-  const bool fits = layout.classes >= 1 && *std::min_element(prototypes.begin(), prototypes.end()) > 0;
+  const int perCell = layout.version == Version::V5 ? kAnchorsPerCell : 1;
+  const bool fits =
+      layout.classes >= 1 && (input_px.empty() || isExplainedByStrides(layout.anchors, input_px, perCell));
   return fits ? std::optional(layout) : std::nullopt;
 }
 

@@ -16,6 +16,7 @@ NetworkSource sourceOf(const YoloOptions& options, Backend backend) {
   source.backend = backend;
   source.kind = "YOLO-seg";
   source.key = "yolo.model";
+  source.needsFixedInput = true;
   source.advice =
       "; official YOLOv8-seg exports need OpenCV 4.7 or newer and opset=12, YOLOv5-seg exports (export.py --include "
       "onnx "
@@ -28,6 +29,17 @@ cv::Mat blobOf(const cv::Mat& input_bgr) {
   return cv::dnn::blobFromImage(input_bgr, 1.0 / 255.0, {}, {}, kSwapToRgb);
 }
 
+LabelMap labelsFor(const YoloLayout& layout, const fs::path& classesFile, const std::string& model,
+                   const std::vector<std::string>& names) {
+  if (layout.version != YoloLayout::Version::EndToEnd) {
+    return LabelMap::forNetwork(layout.classes, classesFile, model, names, LabelMap::Family::Yolo);
+  }
+  if (!classesFile.empty()) return LabelMap::fromFile(classesFile);
+  if (!names.empty()) return LabelMap::fromNames(names, model);
+  throw core::InputError(model + ": puts out numbers of classes and brings no names for them; say what they mean: " +
+                         "--classes labels/coco80.yaml where they are COCO's, else a file with 'classes: [person, …]'");
+}
+
 }  // namespace
 
 YoloSegmenter::YoloSegmenter(const YoloOptions& options, const fs::path& classesFile, Backend backend)
@@ -35,25 +47,37 @@ YoloSegmenter::YoloSegmenter(const YoloOptions& options, const fs::path& classes
 
 YoloSegmenter::YoloSegmenter(const YoloOptions& options, OpenedNetwork opened, const NetworkSource& source,
                              const fs::path& classesFile)
-    : options_(options.decoder), network_(std::move(opened.network)), input_px_(opened.input_px) {
-  const auto fail = [&](const std::string& what) { throw core::InputError(source.model.string() + ": " + what); };
+    : options_(options.decoder),
+      network_(std::move(opened.network)),
+      input_px_(opened.input_px),
+      model_(source.model.string()) {
   if (input_px_.empty()) {
-    fail("leaves the size of its input open; export it with a fixed one (imgsz=256,320 dynamic=False)");
+    throw core::InputError(model_ + ": leaves the size of its input open; export it with a fixed one (imgsz=256,320 " +
+                           "dynamic=False)");
   }
   // By running it: the shapes a file declares are optional, those that come out count.
-  const auto outputs = tryNetwork(*network_, blobOf(cv::Mat(input_px_, CV_8UC3, cv::Scalar::all(0))), source);
-  std::optional<YoloLayout> layout;
-  if (outputs.size() == 2) {
-    detectionsIndex_ = outputs[0].dims == 3 ? 0 : 1;
-    layout = YoloLayout::fromShapes(shapeOf(outputs[detectionsIndex_]), shapeOf(outputs[1 - detectionsIndex_]));
+  chooseOutputs(tryNetwork(*network_, blobOf(cv::Mat(input_px_, CV_8UC3, cv::Scalar::all(0))), source));
+  labels_ = labelsFor(layout_, classesFile, model_, opened.classNames);
+}
+
+/// There may be more than the two that count.
+void YoloSegmenter::chooseOutputs(const std::vector<cv::Mat>& outputs) {
+  std::size_t found = 0;
+  for (std::size_t d = 0; d < outputs.size(); ++d) {
+    for (std::size_t p = 0; p < outputs.size(); ++p) {
+      const auto layout = YoloLayout::fromShapes(shapeOf(outputs[d]), shapeOf(outputs[p]), input_px_);
+      if (!layout) continue;
+      ++found;
+      layout_ = *layout;
+      detectionsIndex_ = d;
+      prototypesIndex_ = p;
+    }
   }
-  if (!layout) {
-    fail("its outputs " + shapesText(outputs) +
-         " are not those of a YOLO-seg network (detections and mask prototypes); give a segmentation model such as "
-         "yolov8n-seg or yolov5n-seg");
-  }
-  layout_ = *layout;
-  labels_ = LabelMap::forNetwork(layout_.classes, classesFile, source.model.string());
+  if (found == 1) return;
+  throw core::InputError(model_ + ": its outputs " + shapesText(outputs) + " are not those of a YOLO-seg network of " +
+                         std::to_string(input_px_.width) + "x" + std::to_string(input_px_.height) +
+                         " pixels (detections and mask prototypes); give a segmentation model such as yolov8n-seg or "
+                         "yolov5n-seg, as its program exports it");
 }
 
 Segmenter::Result YoloSegmenter::segment(const SegmenterInput& input) {
@@ -61,8 +85,10 @@ Segmenter::Result YoloSegmenter::segment(const SegmenterInput& input) {
     const Letterbox letterbox(input.color_bgr.size(), input_px_);
     const auto outputs = network_->infer(blobOf(letterbox.apply(input.color_bgr)));
     const cv::Mat& detections = outputs.at(detectionsIndex_);
-    const cv::Mat& prototypes = outputs.at(1 - detectionsIndex_);
+    const cv::Mat& prototypes = outputs.at(prototypesIndex_);
     return {decodeYolo(detections, prototypes, layout_, letterbox, labels_, options_), {}};
+  } catch (const YoloLayoutError& error) {
+    throw core::InputError(model_ + ": " + error.what() + "; it has another layout than those of YOLO-seg networks");
   } catch (const NetworkError&) {
   } catch (const cv::Exception&) {  // an image that is none
   }

@@ -20,15 +20,18 @@ namespace {
 
 using mrpt::obs::CObservation3DRangeScan;
 
-/// Beyond the reach of any RGB-D camera: sensors that write their largest number for "nothing seen".
+/// Beyond the reach of any RGB-D camera.
 constexpr double kFarthest_m = 50.0;
+/// What some sensors and programs write where they see nothing, besides 0.
+constexpr double kNothingMeasured = std::numeric_limits<std::uint16_t>::max();
 
 cv::Mat rangeInMetres(CObservation3DRangeScan& scan) {
   const cv::Mat units(static_cast<int>(scan.rangeImage.rows()), static_cast<int>(scan.rangeImage.cols()), CV_16UC1,
                       scan.rangeImage.data());
   cv::Mat range_m;
   units.convertTo(range_m, CV_32F, scan.rangeUnits);
-  const double largest_m = std::numeric_limits<std::uint16_t>::max() * static_cast<double>(scan.rangeUnits);
+  range_m.setTo(0.0, units == kNothingMeasured);
+  const double largest_m = kNothingMeasured * static_cast<double>(scan.rangeUnits);
   if (largest_m > kFarthest_m) range_m.setTo(0.0, range_m > kFarthest_m);
   return range_m;
 }

@@ -73,10 +73,18 @@ cv::Mat readColorImage(const std::filesystem::path& file) { return decode(file, 
 
 cv::Mat readDepthImage(const std::filesystem::path& file) {
   cv::Mat depth = decode(file, cv::IMREAD_ANYDEPTH | cv::IMREAD_ANYCOLOR);
-  if (depth.type() != CV_16UC1) {
-    throw InputDamage("sources.depth_format", file.string() + " is not a depth image of one 16-bit channel");
-  }
-  return depth;
+  if (depth.type() == CV_32FC3) cv::extractChannel(depth, depth, 0);  // EXR of one channel, given as grey
+  if (depth.type() == CV_16UC1 || depth.type() == CV_32FC1) return depth;
+  const std::string why = depth.depth() == CV_8U
+                              ? " has 8 bits a pixel, in which the metres are lost; export depth as PNG of one 16-bit "
+                                "channel"
+                              : " has " + std::to_string(depth.channels()) + " channels";
+  throw InputDamage("sources.depth_format", file.string() + " is not a depth image of one 16-bit channel:" + why);
+}
+
+bool isFloatImageName(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".exr" || extension == ".tiff" || extension == ".tif" || extension == ".pfm";
 }
 
 void requireCompleteImage(const std::filesystem::path& file) { readCompleteFile(file); }

@@ -8,8 +8,11 @@ namespace wardslam::sources {
 /// The colour image, CV_8UC3, BGR; a monochrome file gives three equal channels. Throws InputDamage.
 [[nodiscard]] cv::Mat readColorImage(const std::filesystem::path& file);
 
-/// The depth image, CV_16UC1, in the file's units. Throws InputDamage.
+/// The depth image: CV_16UC1 in the file's units, or CV_32FC1 (EXR, TIFF, PFM) in metres. Throws InputDamage.
 [[nodiscard]] cv::Mat readDepthImage(const std::filesystem::path& file);
+
+/// Whether a depth image of this name holds metres as floating-point numbers.
+[[nodiscard]] bool isFloatImageName(const std::filesystem::path& file);
 
 /// Throws InputDamage where the file is missing or is a PNG or JPEG that was cut off. Decoders may pass such a file
 /// as an image that is partly black.

@@ -9,6 +9,7 @@
 
 #include "observation_camera.h"
 #include "observation_check.h"
+#include "sensor_calibration.h"
 #include "sensor_process.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
@@ -50,7 +51,8 @@ LiveSensorSource::LiveSensorSource(LiveSensor sensor, const SourceOptions& optio
     : sensor_(std::move(sensor)),
       warn_(options.warn),
       frames_(static_cast<std::size_t>(sensor_.options.max_waiting_frames)) {
-  if (options.camera) camera_ = readRgbdCamera(*options.camera);
+  requireUsableSensor(sensor_.sensor, options.camera.has_value());
+  if (options.camera) camera_ = readRgbdCamera(*options.camera, options.note);
   thread_ = std::thread([this] { watch(); });
   try {
     first_ = waitForScan();

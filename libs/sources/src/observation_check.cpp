@@ -31,6 +31,12 @@ std::optional<std::string> whyUnusable(const TCamera& camera, std::size_t width_
     return "has a " + name + " image of " + sizeText(width_px, height_px) + " pixels, but its camera has " +
            sizeText(camera.ncols, camera.nrows) + "; " + remedy;
   }
+  const bool isCentreInside = camera.cx() >= -0.5 && camera.cx() <= static_cast<double>(width_px) - 0.5 &&
+                              camera.cy() >= -0.5 && camera.cy() <= static_cast<double>(height_px) - 0.5;
+  if (!isCentreInside) {
+    return "has a " + name + " camera whose principal point lies outside its image of " +
+           sizeText(width_px, height_px) + " pixels; " + remedy;
+  }
   return std::nullopt;
 }
 

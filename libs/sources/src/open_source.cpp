@@ -1,3 +1,4 @@
+#include "foreign_input.h"
 #include "prefetching_source.h"
 #include "rawlog_source.h"
 #include "tum_folder_source.h"
@@ -9,8 +10,10 @@ namespace wardslam::sources {
 std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input, const SourceOptions& options) {
   if (!std::filesystem::exists(input)) throw core::InputError(input.string() + ": no such file or folder");
   const auto open = [&](WarningSink warn) -> std::unique_ptr<ObservationSource> {
-    const SourceOptions innerOptions{options.camera, std::move(warn), options.stereo};
+    SourceOptions innerOptions = options;
+    innerOptions.warn = std::move(warn);
     if (std::filesystem::is_directory(input)) return std::make_unique<TumFolderSource>(input, innerOptions);
+    refuseForeignInput(input);
     return std::make_unique<RawlogSource>(input, innerOptions);
   };
   return std::make_unique<PrefetchingSource>(open, options.warn);

@@ -12,7 +12,8 @@ PrefetchingSource::PrefetchingSource(const Opener& open, WarningSink warn, std::
       inner_(open([this](const std::string& sentence) { collectedWarnings_.push_back(sentence); })),
       size_(inner_->size()),
       depthNoise_(inner_->depthNoise()),
-      damage_(inner_->damage()) {
+      damage_(inner_->damage()),
+      sensors_(inner_->sensors()) {
   deliverWarnings(std::exchange(collectedWarnings_, {}));
   thread_ = std::thread([this] { produce(); });
 }
@@ -39,6 +40,7 @@ std::shared_ptr<mrpt::obs::CObservation3DRangeScan> PrefetchingSource::next() {
 
   ended_ = delivery.isLast();
   damage_ = std::move(delivery.damage);
+  sensors_ = std::move(delivery.sensors);
   deliverWarnings(delivery.warnings);
   if (delivery.error) std::rethrow_exception(delivery.error);
   return delivery.observation;
@@ -65,6 +67,7 @@ PrefetchingSource::Delivery PrefetchingSource::fetch() {
     delivery.error = std::current_exception();
   }
   delivery.damage = inner_->damage();
+  delivery.sensors = inner_->sensors();
   delivery.warnings = std::exchange(collectedWarnings_, {});
   return delivery;
 }

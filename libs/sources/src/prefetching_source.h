@@ -26,6 +26,7 @@ class PrefetchingSource : public ObservationSource {
   [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() override;
   [[nodiscard]] std::optional<std::size_t> size() const override { return size_; }
   [[nodiscard]] const core::EventCounts& damage() const override { return damage_; }
+  [[nodiscard]] SensorCounts sensors() const override { return sensors_; }
   [[nodiscard]] core::DepthNoise depthNoise() const override { return depthNoise_; }
 
  private:
@@ -33,6 +34,7 @@ class PrefetchingSource : public ObservationSource {
   struct Delivery {
     std::shared_ptr<mrpt::obs::CObservation3DRangeScan> observation;
     core::EventCounts damage;
+    SensorCounts sensors;
     std::vector<std::string> warnings;
     std::exception_ptr error;
 
@@ -50,6 +52,7 @@ class PrefetchingSource : public ObservationSource {
   std::optional<std::size_t> size_;
   core::DepthNoise depthNoise_;
   core::EventCounts damage_;
+  SensorCounts sensors_;
   bool ended_ = false;
 
   std::mutex mutex_;

@@ -10,7 +10,7 @@
 #include <regex>
 #include <string>
 
-#include "gzip_input.h"
+#include "rawlog_input.h"
 #include "wardslam/sources/external_images.h"
 #include "wardslam/sources/input_damage.h"
 
@@ -34,14 +34,31 @@ std::optional<std::string> unregisteredClass(const std::string& complaint) {
   return match[1].str();
 }
 
+/// "CImage, version 10", of an object in a version that this MRPT does not know; nothing where it complains of
+/// something else. `bytes` begin with the name of the object as a whole.
+std::optional<std::string> newerObject(const std::string& complaint, const std::vector<std::uint8_t>& bytes) {
+  static const std::regex kVersion("unknown serialization version number: '?(\\d+)");
+  static const std::regex kPlace("([A-Za-z0-9_]+)(?:::serializeFrom|\\.cpp:)");
+  std::smatch version;
+  if (!std::regex_search(complaint, version, kVersion)) return std::nullopt;
+  std::smatch place;
+  std::string name = "an object";
+  if (std::regex_search(complaint, place, kPlace)) {
+    name = place[1].str();
+  } else if (bytes.size() > 1 && bytes.size() > std::size_t{1} + (bytes[0] & 0x7FU)) {
+    name.assign(bytes.begin() + 1, bytes.begin() + 1 + (bytes[0] & 0x7F));
+  }
+  return name + ", version " + version[1].str();
+}
+
 }  // namespace
 
 class RawlogReader::Input {
  public:
   explicit Input(const fs::path& file) : stream(file), archive(stream) {}
 
-  GzipInput stream;
-  mrpt::serialization::CArchiveStreamBase<GzipInput> archive;
+  RawlogInput stream;
+  mrpt::serialization::CArchiveStreamBase<RawlogInput> archive;
 };
 
 RawlogReader::RawlogReader(const fs::path& file) : input_(std::make_unique<Input>(file)) {
@@ -64,6 +81,11 @@ std::shared_ptr<CSerializable> RawlogReader::read() {
       throw InputDamage("sources.rawlog_unknown_class", "holds an object of class " + *name +
                                                             ", which this program does not know; remove such " +
                                                             "objects with rawlog-cut and the plug-in that has it (-p)");
+    }
+    if (const auto object = newerObject(error.what(), bytes())) {
+      throw InputDamage("sources.rawlog_newer", "was written by a newer MRPT (" + *object + "), which this one " +
+                                                    "cannot read; read it on a system that has that MRPT, or record " +
+                                                    "with this one");
     }
     if (input_->stream.remembered().empty()) return nullptr;  // not one byte of a further object: a proper end
     throw InputDamage("sources.rawlog_truncated", "is cut off or damaged; copy or record it again");

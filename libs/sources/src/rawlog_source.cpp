@@ -20,6 +20,16 @@ namespace fs = std::filesystem;
 using mrpt::obs::CObservation3DRangeScan;
 using mrpt::obs::CObservationStereoImages;
 
+constexpr const char* kNewerEvent = "sources.rawlog_newer";
+
+/// What to do where images are stored outside the rawlog and nothing like their folder is there.
+std::string missingFolder(const fs::path& rawlog, const std::string& event) {
+  if (event != "sources.image_missing" || findImageFolder(rawlog)) return "";
+  const std::string name = rawlog.stem().string() + "_Images";
+  return "; its images are stored outside of it, in a folder " + name + " beside it, which is not there: put it back " +
+         "under that name";
+}
+
 std::string joined(const std::set<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -30,11 +40,17 @@ std::string joined(const std::set<std::string>& names) {
 
 RawlogSource::RawlogSource(const fs::path& file, const SourceOptions& options)
     : file_(file),
+      note_(options.note),
+      depth_units_per_m_(options.depth_units_per_m),
       reader_(std::make_unique<RawlogReader>(file)),
       damage_(std::make_unique<DamageLog>(options.warn)),
       stereo_(options.stereo) {
+  if (!options.sensor.empty()) label_ = options.sensor;
   if (options.camera) {
-    camera_ = readRgbdCamera(*options.camera);
+    camera_ = readRgbdCamera(*options.camera, options.note);
+    if (camera_->color.width_px == 0) {
+      throw core::InputError(options.camera->string() + ": does not tell the size of the images it is for; add it");
+    }
     depthNoise_ = camera_->color.depthNoise;
   }
   first_ = readScan();
@@ -79,6 +95,7 @@ bool RawlogSource::fillPending() {
     return true;
   } catch (const InputDamage& damage) {
     const std::string when = " (after " + std::to_string(scansRead_) + " RGB-D observations)";
+    if (damage.event() == kNewerEvent) newer_ = damage.what();
     damage_->add(damage.event(), file_.string() + ": " + damage.what() + when);
     return false;
   }
@@ -91,23 +108,37 @@ RawlogSource::ScanPtr RawlogSource::takeIfUsable(const ObservationPtr& observati
     passedOver_.insert("scans without both images");
     return nullptr;
   }
+  ++sensors_.observations[observation->sensorLabel];
   if (label_ && *label_ != observation->sensorLabel) return nullptr;
   ++scansRead_;
   try {
     const ScanPtr prepared = scan ? prepare(scan) : prepare(dynamic_cast<CObservationStereoImages&>(*observation));
     requireOrderOfTime(*prepared);
-    label_ = observation->sensorLabel;
+    label_ = sensors_.taken = observation->sensorLabel;
+    mayStop_ = false;
+    if (const auto sentence = scaleCheck_.add(*prepared)) note_(file_.string() + ": " + *sentence);
     return prepared;
   } catch (const InputDamage& damage) {
     const std::string what = "observation " + std::to_string(scansRead_) + ": " + damage.what();
     if (firstDamage_.empty()) firstDamage_ = what;
     damage_->add(damage.event(), file_.string() + ": " + what + "; it is left out, as are others like it");
+    stopIfAllFail(damage.event(), what);
     return nullptr;
   }
 }
 
+void RawlogSource::stopIfAllFail(const std::string& event, const std::string& what) {
+  if (scansRead_ == 1) failingAlike_ = event;
+  mayStop_ = mayStop_ && failingAlike_ == event;
+  if (!mayStop_ || scansRead_ < kPatience) return;
+  throw core::InputError(file_.string() + ": " + what + missingFolder(file_, event) +
+                         "; so it is with all of the first " + std::to_string(kPatience) +
+                         " observations, and nothing was tracked");
+}
+
 RawlogSource::ScanPtr RawlogSource::prepare(const ScanPtr& scan) const {
   loadImages(*scan);
+  if (depth_units_per_m_) scan->rangeUnits = static_cast<float>(1.0 / *depth_units_per_m_);
   if (camera_) replaceCamera(*scan, camera_->color);
   if (const auto reason = whyUnusable(*scan)) throw InputDamage("sources.observation_unusable", *reason);
   return scan;
@@ -139,13 +170,19 @@ void RawlogSource::requireOrderOfTime(const CObservation3DRangeScan& scan) {
 
 void RawlogSource::failWithoutScans() const {
   const std::string file = file_.string();
+  if (!newer_.empty()) throw core::InputError(file + ": " + newer_);
+  if (scansRead_ == 0 && label_ && !sensors_.observations.empty()) {
+    throw core::InputError(file + ": has no RGB-D sensor '" + *label_ +
+                           "'; give one of these with --sensor: " + sensors_.labels());
+  }
   if (reader_->objects() == 0) {
     const bool isUnknownClass = damage_->counts().count("sources.rawlog_unknown_class") > 0;
     throw core::InputError(file + (isUnknownClass ? ": begins with an object of a class that is not linked in"
                                                   : ": is empty or not a rawlog"));
   }
   if (scansRead_ > 0)
-    throw core::InputError(file + ": none of its RGB-D or stereo observations can be used; " + firstDamage_);
+    throw core::InputError(file + ": none of its RGB-D or stereo observations can be used; " + firstDamage_ +
+                           missingFolder(file_, failingAlike_));
   throw core::InputError(file + ": holds no CObservation3DRangeScan with an intensity and a range image and no " +
                          "CObservationStereoImages" + (passedOver_.empty() ? "" : ", only: " + joined(passedOver_)));
 }

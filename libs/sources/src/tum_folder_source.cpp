@@ -2,11 +2,10 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include <fstream>
-#include <regex>
+#include <cstdlib>
+#include <limits>
 
 #include "image_file.h"
-#include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/sources/input_damage.h"
@@ -17,68 +16,118 @@ namespace {
 namespace fs = std::filesystem;
 using mrpt::obs::CObservation3DRangeScan;
 
-std::string leadingComments(const fs::path& list) {
-  std::ifstream in(list);
-  std::string comments;
-  for (std::string line; std::getline(in, line) && !line.empty() && line.front() == '#';) comments += line + "\n";
-  return comments;
-}
-
-/// '1', '2' or '3' where the text names one of the benchmark's cameras.
-std::optional<std::string> tumCameraNumber(const std::string& text) {
-  static const std::regex kName("(^|[^a-z])(freiburg|fr)([123])", std::regex::icase);
-  std::smatch match;
-  if (!std::regex_search(text, match, kName)) return std::nullopt;
-  return match[3].str();
-}
-
-RgbdCamera chooseCamera(const fs::path& folder, const SourceOptions& options) {
-  if (options.camera) return readRgbdCamera(*options.camera);
-  if (fs::exists(folder / "camera.yaml")) return readRgbdCamera(folder / "camera.yaml");
-  const std::string folderName = fs::canonical(folder).filename().string();
-  auto number = tumCameraNumber(folderName);
-  if (!number) number = tumCameraNumber(leadingComments(folder / "rgb.txt"));
-  if (number) return readRgbdCamera(core::findDataFile("cameras/tum_freiburg" + *number + ".yaml"));
-  throw core::InputError(
-      folder.string() + ": the camera is not known: there is no camera.yaml, and the name does not " +
-      "tell which TUM camera it was; give --camera with one of " + listCameraFiles() + " or a file like these");
-}
+/// Half a millimetre: up to 32.7 m fit into the 16 bits of an observation.
+constexpr double kUnitsOfFloatDepth_per_m = 2000.0;
+constexpr double kLargestUnit = std::numeric_limits<std::uint16_t>::max();
 
 std::string sizeOf(int width_px, int height_px) { return std::to_string(width_px) + "x" + std::to_string(height_px); }
 
-void requireSizes(const cv::Mat& color, const cv::Mat& depth, const core::CameraModel& camera, const ImagePair& pair) {
-  if (color.cols != camera.width_px || color.rows != camera.height_px) {
+void requireSizes(const cv::Mat& color, const cv::Mat& depth, const FolderCamera& camera, const ImagePair& pair) {
+  const core::CameraModel& model = camera.camera.color;
+  if (color.cols != model.width_px || color.rows != model.height_px) {
     throw InputDamage("sources.image_size", pair.color.file.string() + " has " + sizeOf(color.cols, color.rows) +
-                                                " pixels but the camera " + sizeOf(camera.width_px, camera.height_px));
+                                                " pixels but the camera " + sizeOf(model.width_px, model.height_px) +
+                                                " (" + camera.file.string() + "); give --camera with the calibration " +
+                                                "of images of " + sizeOf(color.cols, color.rows));
   }
   if (depth.size() != color.size()) {
     throw InputDamage("sources.depth_size", pair.depth.file.string() + " has " + sizeOf(depth.cols, depth.rows) +
-                                                " pixels but its colour image " + sizeOf(color.cols, color.rows));
+                                                " pixels but its colour image " + sizeOf(color.cols, color.rows) +
+                                                "; register the depth images to the colour images, or scale one to " +
+                                                "the size of the other (depth by the nearest pixel)");
   }
+}
+
+/// OpenCV reads EXR only where this is set before the first such image.
+void allowOpenExr(const std::vector<ImagePair>& pairs) {
+  if (pairs.front().depth.file.extension() == ".exr") setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 0);
+}
+
+/// 16 bits of what was measured, 0 where nothing was; never wraps.
+cv::Mat inUnits(const cv::Mat& depth, double unitsPerMetre) {
+  cv::Mat units;
+  if (depth.type() == CV_32FC1) {
+    cv::Mat measured = depth > 0.0;
+    measured.setTo(0, depth * unitsPerMetre >= kLargestUnit);  // also infinity; NaN is not above 0
+    cv::Mat known(depth.size(), CV_32FC1, cv::Scalar(0));
+    depth.copyTo(known, measured);
+    known.convertTo(units, CV_16U, unitsPerMetre);
+    return units;
+  }
+  units = depth;
+  units.setTo(0, depth == kLargestUnit);
+  return units;
 }
 
 }  // namespace
 
 TumFolderSource::TumFolderSource(const fs::path& folder, const SourceOptions& options)
     : folder_(folder),
-      pairs_(listImagePairs(folder)),
-      camera_(chooseCamera(folder, options)),
-      damage_(std::make_unique<DamageLog>(options.warn)) {}
+      note_(options.note),
+      camera_(chooseFolderCamera(folder, options)),
+      pairs_(listImagePairs(folder, {camera_.camera.rate_hz, options.note})),
+      damage_(std::make_unique<DamageLog>(options.warn)) {
+  allowOpenExr(pairs_);
+  requireDepthUnit();
+  takeSizeFromImages();
+}
 
 TumFolderSource::~TumFolderSource() = default;
+
+void TumFolderSource::requireDepthUnit() const {
+  if (camera_.camera.depth_units_per_m > 0.0 || isFloatImageName(pairs_.front().depth.file)) return;
+  throw core::InputError(camera_.file.string() + ": does not say how many units of the depth images are a metre; add " +
+                         "'depth_factor: 1000' for millimetres (RealSense, Azure Kinect, Orbbec) or " +
+                         "'depth_factor: 5000' for the TUM benchmark's, or give --depth-factor N");
+}
+
+void TumFolderSource::takeSizeFromImages() {
+  core::CameraModel& model = camera_.camera.color;
+  if (model.width_px > 0) return;
+  for (const ImagePair& pair : pairs_) {
+    try {
+      const cv::Mat image = readColorImage(folder_ / pair.color.file);
+      model.width_px = image.cols;
+      model.height_px = image.rows;
+      break;
+    } catch (const InputDamage&) {
+      continue;  // met again, and told of, by next()
+    }
+  }
+  note_(camera_.file.string() + ": does not tell the size of the images it is for; it is taken to be theirs, " +
+        sizeOf(model.width_px, model.height_px));
+  if (model.cx_px < model.width_px && model.cy_px < model.height_px) return;
+  throw core::InputError(camera_.file.string() +
+                         ": the principal point lies outside the images; give the calibration " + "of images of " +
+                         sizeOf(model.width_px, model.height_px) + " pixels");
+}
 
 std::shared_ptr<CObservation3DRangeScan> TumFolderSource::next() {
   while (nextPair_ < pairs_.size()) {
     const ImagePair& pair = pairs_[nextPair_++];
     try {
-      return read(pair);
+      auto scan = read(pair);
+      mayStop_ = false;
+      if (const auto sentence = scaleCheck_.add(*scan)) note_(folder_.string() + ": " + *sentence);
+      return scan;
     } catch (const InputDamage& damage) {
-      damage_->add(damage.event(), pair.list.string() + ":" + std::to_string(pair.line) + ": " + damage.what() +
+      const std::string where = pair.line > 0 ? pair.list.string() + ":" + std::to_string(pair.line) : folder_.string();
+      damage_->add(damage.event(), where + ": " + damage.what() +
                                        "; the pair is left out, as are others like it: fetch the sequence again or " +
                                        "take them off the list");
+      stopIfAllFail(damage, where);
     }
   }
   return nullptr;
+}
+
+void TumFolderSource::stopIfAllFail(const InputDamage& damage, const std::string& where) {
+  if (nextPair_ == 1) failingAlike_ = damage.event();
+  mayStop_ = mayStop_ && failingAlike_ == damage.event();
+  if (!mayStop_ || nextPair_ < kPatience) return;
+  nextPair_ = pairs_.size();
+  throw core::InputError(where + ": " + damage.what() + "; so it is with all of the first " +
+                         std::to_string(kPatience) + " pairs, and nothing was tracked");
 }
 
 const core::EventCounts& TumFolderSource::damage() const { return damage_->counts(); }
@@ -86,22 +135,28 @@ const core::EventCounts& TumFolderSource::damage() const { return damage_->count
 std::shared_ptr<CObservation3DRangeScan> TumFolderSource::read(const ImagePair& pair) const {
   const cv::Mat color = readColorImage(folder_ / pair.color.file);
   const cv::Mat depth = readDepthImage(folder_ / pair.depth.file);
-  requireSizes(color, depth, camera_.color, pair);
+  requireSizes(color, depth, camera_, pair);
+  const RgbdCamera& camera = camera_.camera;
+  const double unitsPerMetre = depth.type() == CV_32FC1 ? kUnitsOfFloatDepth_per_m : camera.depth_units_per_m;
+  if (!(unitsPerMetre > 0.0)) {
+    throw InputDamage("sources.depth_format",
+                      pair.depth.file.string() + " is no floating-point image as its name says");
+  }
 
   auto observation = CObservation3DRangeScan::Create();
   observation->timestamp = core::toMrptTime(pair.color.stamp_s);
   observation->sensorLabel = "RGBD";
   // One view point for both images is what relativePoseIntensityWRTDepth says by default.
-  observation->cameraParams = observation->cameraParamsIntensity = core::toMrpt(camera_.color);
+  observation->cameraParams = observation->cameraParamsIntensity = core::toMrpt(camera.color);
 
   observation->hasIntensityImage = true;
   observation->intensityImage = mrpt::img::CImage(color, mrpt::img::SHALLOW_COPY);
 
   observation->hasRangeImage = true;
   observation->range_is_depth = true;
-  observation->rangeUnits = static_cast<float>(1.0 / camera_.depth_units_per_m);
+  observation->rangeUnits = static_cast<float>(1.0 / unitsPerMetre);
   observation->rangeImage_setSize(depth.rows, depth.cols);
-  depth.copyTo(cv::Mat(depth.size(), CV_16UC1, observation->rangeImage.data()));
+  inUnits(depth, unitsPerMetre).copyTo(cv::Mat(depth.size(), CV_16UC1, observation->rangeImage.data()));
   return observation;
 }
 

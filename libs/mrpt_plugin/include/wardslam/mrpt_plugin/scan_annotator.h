@@ -27,6 +27,7 @@ class ScanAnnotator {
   void requireSoundSetup() { frontEnd_.requireSoundSetup(); }
 
   [[nodiscard]] std::size_t annotated() const { return annotated_; }
+  [[nodiscard]] const std::string& sensorLabel() const { return sensorLabel_; }    ///< Empty until it is known.
   [[nodiscard]] const core::EventCounts& events() const { return events_; }        ///< Trouble, by kind.
   [[nodiscard]] const std::string& firstTrouble() const { return firstTrouble_; }  ///< A sentence part.
   [[nodiscard]] std::string parameters() const { return frontEnd_.filters().parameters(0); }

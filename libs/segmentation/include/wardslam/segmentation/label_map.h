@@ -26,10 +26,19 @@ class LabelMap {
   /// installed data. Without `classes`, index i is id i + `firstId`. Throws core::InputError with file, line and key.
   [[nodiscard]] static LabelMap fromFile(const std::filesystem::path& file, int firstId = 1);
 
-  /// For a network of so many classes: from `file` where one is given; else what the number tells: 21 Pascal VOC,
-  /// 80 COCO, 90 COCO with its gaps, 150 ADE20K. Throws core::InputError, beginning with the name of the `network`,
-  /// when it tells nothing or the file does not fit.
-  [[nodiscard]] static LabelMap forNetwork(int classes, const std::filesystem::path& file, const std::string& network);
+  /// Names that a network brings, by index: those of COCO and of labels/hospital.yaml have the ids they have there
+  /// (whatever the case, '_' or ' '), others get ids of their own from 150 on. Throws core::InputError, beginning with
+  /// the name of the `network`, when there are more than there are ids.
+  [[nodiscard]] static LabelMap fromNames(const std::vector<std::string>& names, const std::string& network);
+
+  /// Networks that count their classes alike.
+  enum class Family { Yolo, Other };
+
+  /// For a network of so many classes: from `file` where one is given; else from the `names` it brings; else what the
+  /// number tells: 80 COCO, and of others than YOLO 21 Pascal VOC, 90 COCO with its gaps, 150 ADE20K. Throws
+  /// core::InputError, beginning with the name of the `network`, when it tells nothing or the file does not fit.
+  [[nodiscard]] static LabelMap forNetwork(int classes, const std::filesystem::path& file, const std::string& network,
+                                           const std::vector<std::string>& names = {}, Family family = Family::Other);
 
   /// 0 (unclassified) for indices without a meaning, negative ones too.
   [[nodiscard]] core::ClassId classOf(int index) const {

@@ -35,15 +35,17 @@ struct NetworkSource {
   std::filesystem::path graph;       ///< OpenCV's description (.pbtxt) of a frozen graph; empty: none needed.
   std::vector<std::string> outputs;  ///< Names; empty: all, in the order of the file.
   Backend backend = Backend::OpenCv;
-  int channels = 3;    ///< Of the image that it must take.
-  std::string kind;    ///< For error messages: "YOLO-seg".
-  std::string key;     ///< For error messages: the option that names the model, "yolo.model".
-  std::string advice;  ///< For error messages: what to do when the library cannot load it; may be empty.
+  int channels = 3;              ///< Of the image that it must take.
+  std::string kind;              ///< For error messages: "YOLO-seg".
+  std::string key;               ///< For error messages: the option that names the model, "yolo.model".
+  std::string advice;            ///< For error messages: what to do when the library cannot load it; may be empty.
+  bool needsFixedInput = false;  ///< A file that leaves the size of its input open is refused.
 };
 
 struct OpenedNetwork {
   std::unique_ptr<Network> network;
   cv::Size input_px;  ///< As the file declares it; 0x0 where that is left open or not told (TensorFlow).
+  std::vector<std::string> classNames = {};  ///< By class index, as the file brings them; mostly empty.
 };
 
 /// Throws core::InputError when a file is missing, damaged, not one the library can load, or takes no image of so many

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "wardslam/segmentation/depth_segmenter.h"
 #include "wardslam/segmentation/mask_rcnn_segmenter.h"
@@ -30,6 +31,10 @@ struct SegmentationOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit);
 };
+
+/// What would have to be assumed of the masks or of the network's file, one sentence each: for who reads a program's
+/// output. Reads files, runs no network. Throws core::InputError.
+[[nodiscard]] std::vector<std::string> assumptionsOf(const SegmentationOptions& options);
 
 /// Null for Type::None. Throws core::InputError.
 [[nodiscard]] std::unique_ptr<Segmenter> makeSegmenter(const SegmentationOptions& options);

@@ -2,6 +2,7 @@
 
 #include <opencv2/core.hpp>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "wardslam/core/segmentation.h"
@@ -21,25 +22,38 @@ struct YoloDecoderOptions {
 };
 
 /// How a YOLO-seg network lays out its detections. Anchor by anchor: centre x, y, width, height (input pixels),
-/// objectness (v5 only), one score per class, one coefficient per prototype.
+/// objectness (v5 only), one score per class, one coefficient per prototype. End to end, with suppression in the
+/// network (yolo26, nms=True): row by row x and y of two corners (input pixels), confidence, number of the class,
+/// coefficients.
 struct YoloLayout {
-  enum class Version { V5, V8 };  ///< V5: [1, anchors, values]; V8: [1, values, anchors], no objectness.
+  /// V5: [1, anchors, values]; V8: [1, values, anchors], no objectness; EndToEnd: [1, rows, values].
+  enum class Version { V5, V8, EndToEnd };
 
   Version version = Version::V8;
   int anchors = 0;
-  int classes = 0;
+  int classes = 0;  ///< 0: not told (EndToEnd).
   int prototypes = 0;
 
   /// From the shapes of the two outputs; the prototypes are [1, count, height, width]. Empty when they are not those
-  /// of a segmentation network. There are always more anchors than values per anchor, which tells the versions apart.
+  /// of a segmentation network. There are always more anchors than values per anchor, which tells V5 and V8 apart.
+  /// Where the size of the input is known, the number of anchors must be one that strides explain (8, 16, 32, and 4 or
+  /// 64 besides), or it is none: rows of a fixed number.
   [[nodiscard]] static std::optional<YoloLayout> fromShapes(const std::vector<int>& detections,
-                                                            const std::vector<int>& prototypes);
+                                                            const std::vector<int>& prototypes,
+                                                            const cv::Size& input_px = {});
+};
+
+/// What comes out cannot be of the layout that its shape has; says why in part of a sentence.
+class YoloLayoutError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Turns the two output tensors (CV_32F) into a segmentation of the image: detections above the confidence threshold,
 /// non-maximum suppression per class, masks = sigmoid(coefficients x prototypes) inside each box, resampled linearly
 /// before the threshold. Instances are numbered from 1 by falling confidence; where they overlap the more confident one
-/// has the pixel, and one left without any is dropped, as is one of a class the labels leave unclassified.
+/// has the pixel, and one left without any is dropped, as is one of a class the labels leave unclassified. Throws
+/// YoloLayoutError for a confidence above 1 and for what is no number of a class.
 [[nodiscard]] core::Segmentation decodeYolo(const cv::Mat& detections, const cv::Mat& prototypes,
                                             const YoloLayout& layout, const Letterbox& letterbox,
                                             const LabelMap& labels, const YoloDecoderOptions& options);

@@ -19,7 +19,8 @@ struct YoloOptions {
   static void describe(Self& self, Visitor& visit);
 };
 
-/// A YOLO-seg network (YOLOv5-seg or YOLOv8-seg layout, ONNX, input of fixed size).
+/// A YOLO-seg network (layout of YOLOv5-seg or YOLOv8-seg, or end to end; ONNX, input of fixed size). What its classes
+/// are it says itself as a rule: the file's metadata has their names.
 ///
 /// Event "segmentation.network_failed": the network could not be run on this image; the result is empty.
 class YoloSegmenter : public Segmenter {
@@ -41,17 +42,21 @@ class YoloSegmenter : public Segmenter {
   [[nodiscard]] const cv::Size& inputSize_px() const { return input_px_; }
 
  private:
+  void chooseOutputs(const std::vector<cv::Mat>& outputs);
+
   YoloDecoderOptions options_;
   std::unique_ptr<Network> network_;
   cv::Size input_px_;
-  std::size_t detectionsIndex_ = 0;  ///< Which of the two outputs.
+  std::string model_;                ///< For sentences.
+  std::size_t detectionsIndex_ = 0;  ///< Which of the outputs …
+  std::size_t prototypesIndex_ = 1;
   YoloLayout layout_;
   LabelMap labels_;
 };
 
 template <class Self, class Visitor>
 void YoloOptions::describe(Self& self, Visitor& visit) {
-  visit("model", self.model, "ONNX file of a YOLOv5-seg or YOLOv8-seg network");
+  visit("model", self.model, "ONNX file of a YOLO-seg network (v5, v8 to v12, or with suppression inside, as yolo26)");
   YoloDecoderOptions::describe(self.decoder, visit);
 }
 

@@ -8,6 +8,7 @@
 
 #include "wardslam/core/depth_noise.h"
 #include "wardslam/core/event_counts.h"
+#include "wardslam/sources/sensor_counts.h"
 #include "wardslam/sources/stereo_options.h"
 
 namespace mrpt::obs {
@@ -31,6 +32,9 @@ class ObservationSource {
   /// Unreadable input met so far, by kind ("sources.image_missing"). Empty: all was well.
   [[nodiscard]] virtual const core::EventCounts& damage() const = 0;
 
+  /// The sensors met so far; the observations of one of them are delivered. Empty where there can be no other.
+  [[nodiscard]] virtual SensorCounts sensors() const { return {}; }
+
   /// How sure the measured depths are. A Kinect's, for sources that know nothing better.
   [[nodiscard]] virtual core::DepthNoise depthNoise() const { return {}; }
 };
@@ -39,15 +43,21 @@ class ObservationSource {
 /// calls openSource() or next().
 using WarningSink = std::function<void(const std::string&)>;
 
+/// Receives one sentence about what had to be assumed of the input (a camera, a unit, a clock). Called from any thread.
+using NoteSink = std::function<void(const std::string&)>;
+
 struct SourceOptions {
   std::optional<std::filesystem::path> camera;  ///< Camera file: replaces the calibration of the recording.
   WarningSink warn = [](const std::string&) {};
   StereoOptions stereo = {};  ///< How depth is made of the images of a stereo camera.
+  NoteSink note = [](const std::string&) {};
+  std::optional<double> depth_units_per_m = {};  ///< Replaces the unit that the recording or its camera file tells.
+  std::string sensor = {};                       ///< Label of the sensor in a rawlog; empty: the first.
 };
 
-/// Opens a TUM folder or a .rawlog file, told apart by what the path is, and decodes images ahead in a thread of its
-/// own. Throws core::InputError. MRPT resolves external images of a rawlog through one process-wide folder, which
-/// this sets: only one rawlog with external images can be open at a time.
+/// Opens a TUM folder or a .rawlog file, told apart by what the path is (other files are named by their first bytes),
+/// and decodes images ahead in a thread of its own. Throws core::InputError. MRPT resolves external images of a rawlog
+/// through one process-wide folder, which this sets: only one rawlog with external images can be open at a time.
 [[nodiscard]] std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input,
                                                             const SourceOptions& options);
 

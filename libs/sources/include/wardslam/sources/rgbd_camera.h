@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "wardslam/core/camera_model.h"
@@ -11,16 +12,19 @@ namespace wardslam::sources {
 /// depth images are registered, and the unit of the depth images.
 struct RgbdCamera {
   core::CameraModel color;
-  double depth_units_per_m = 5000.0;  ///< Of 16-bit depth images in files; rawlogs carry their own unit.
-  double rate_hz = 30.0;              ///< Nominal; for information.
+  double depth_units_per_m = 0.0;  ///< Of 16-bit depth images in files; 0: not told. Rawlogs carry their own unit.
+  double rate_hz = 30.0;           ///< Nominal; for information.
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit);
 };
 
-/// Throws core::InputError naming file, line and key. Size, focal lengths and principal point must be there: a
-/// default would silently be another camera.
-[[nodiscard]] RgbdCamera readRgbdCamera(const std::filesystem::path& file);
+/// Reads our own camera files and those of the programs in docs/inputs.md. Size, focal lengths and principal point must
+/// be there: a default would silently be another camera. `note` hears, in a sentence each, as what a foreign file was
+/// read and what is odd about the numbers. Where ORB-SLAM's file does not tell the size of the images it is 0x0. Throws
+/// core::InputError naming file, line and key; also for a principal point outside the image.
+[[nodiscard]] RgbdCamera readRgbdCamera(
+    const std::filesystem::path& file, const std::function<void(const std::string&)>& note = [](const std::string&) {});
 
 /// The camera files that come with the program, one sentence part: "<folder>/tum_freiburg1.yaml, …".
 [[nodiscard]] std::string listCameraFiles();

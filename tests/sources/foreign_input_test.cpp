@@ -1,0 +1,54 @@
+#include "foreign_input.h"
+
+#include <gmock/gmock.h>
+#include <zlib.h>
+
+#include "support/temporary_folder.h"
+#include "wardslam/core/errors.h"
+
+namespace wardslam::sources {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class ForeignInput : public ::testing::Test {
+ protected:
+  void expectRefused(const std::string& name, const std::string& bytes, const std::string& kind,
+                     const std::string& advice) const {
+    const auto file = folder.write(name, bytes + std::string(1000, '\0'));
+    EXPECT_THAT([&] { refuseForeignInput(file); },
+                ThrowsMessage<core::InputError>(AllOf(HasSubstr(name), HasSubstr(kind), HasSubstr(advice))));
+  }
+  test::TemporaryFolder folder;
+};
+
+TEST_F(ForeignInput, IsNamedByItsFirstBytes) {
+  expectRefused("a", "#ROSBAG V2.0\n", "bag of ROS 1", "bag2rawlog");
+  expectRefused("a", "\x89MCAP0\r\n", "MCAP", "bag2rawlog");
+  expectRefused("a", "SQLite format 3", "ROS 2 (sqlite3)", "bag2rawlog");
+  expectRefused("a.wardmap", "SQLite format 3", "a map", "--map");
+  expectRefused("a", "PK\x03\x04", "zip", "unpack");
+  expectRefused("a", "BZh91AY", "bzip2", "unpack");
+  expectRefused("a.klg", "\x02", "Logger2", "export");
+}
+
+TEST_F(ForeignInput, IsATarArchiveCompressedOrNot) {
+  std::string tar(512, '\0');
+  tar.replace(257, 5, "ustar");
+  expectRefused("rgbd_dataset_freiburg1_desk", tar, "tar archive", "tar xf rgbd_dataset_freiburg1_desk");
+  const auto file = folder.path() / "seq.tgz";
+  gzFile gz = gzopen(file.c_str(), "wb");
+  gzwrite(gz, tar.data(), static_cast<unsigned>(tar.size()));
+  gzclose(gz);
+  EXPECT_THAT([&] { refuseForeignInput(file); }, ThrowsMessage<core::InputError>(HasSubstr("tar archive")));
+}
+
+TEST_F(ForeignInput, IsNotWhatCouldBeARawlog) {
+  EXPECT_NO_THROW(refuseForeignInput(folder.write("a.rawlog", "")));
+  EXPECT_NO_THROW(refuseForeignInput(folder.write("b.rawlog", "\x95mrpt::obs::CObservation")));
+}
+
+}  // namespace
+}  // namespace wardslam::sources
