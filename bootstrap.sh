@@ -14,6 +14,7 @@ readonly PACKAGES=(
   libmrpt-dev libopencv-dev libceres-dev libeigen3-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libpcl-dev
   libsqlitecpp-dev libzstd-dev liboctomap-dev # the map file and its exports
   zlib1g-dev # rawlogs
+  libbz2-dev liblz4-dev # recordings of ROS
   libcurl4-openssl-dev libssl-dev # wardslam models
   libembree-dev # rawlog-synth casts rays
   libegl1 libegl-mesa0 libgl1-mesa-dri # pictures of a map without a display

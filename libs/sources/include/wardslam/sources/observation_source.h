@@ -8,6 +8,7 @@
 
 #include "wardslam/core/depth_noise.h"
 #include "wardslam/core/event_counts.h"
+#include "wardslam/sources/bag_topics.h"
 #include "wardslam/sources/stereo_options.h"
 
 namespace mrpt::obs {
@@ -39,14 +40,19 @@ class ObservationSource {
 /// calls openSource() or next().
 using WarningSink = std::function<void(const std::string&)>;
 
+/// Receives one sentence about what had to be assumed of the input (a camera, a unit, a clock). Called from any thread.
+using NoteSink = std::function<void(const std::string&)>;
+
 struct SourceOptions {
   std::optional<std::filesystem::path> camera;  ///< Camera file: replaces the calibration of the recording.
   WarningSink warn = [](const std::string&) {};
   StereoOptions stereo = {};  ///< How depth is made of the images of a stereo camera.
+  NoteSink note = [](const std::string&) {};
+  BagTopics topics = {};  ///< Of a recording of ROS.
 };
 
-/// Opens a TUM folder or a .rawlog file, told apart by what the path is, and decodes images ahead in a thread of its
-/// own. Throws core::InputError. MRPT resolves external images of a rawlog through one process-wide folder, which
+/// Opens a TUM folder, a .rawlog file or a recording of ROS (bags::isBag()), told apart by what the path is, and decodes
+/// images ahead in a thread of its own. Throws core::InputError. MRPT resolves external images of a rawlog through one process-wide folder, which
 /// this sets: only one rawlog with external images can be open at a time.
 [[nodiscard]] std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input,
                                                             const SourceOptions& options);
