@@ -8,6 +8,7 @@
 #include "live_run.h"
 #include "support/interruption.h"
 #include "wardslam/pipeline/slam_options.h"
+#include "wardslam/sources/bag_topics.h"
 
 namespace wardslam::apps {
 
@@ -16,6 +17,7 @@ struct RecordedRun {
   std::filesystem::path input;   ///< A sensor configuration (.ini) means a camera.
   LiveInput live;                ///< For a camera.
   std::filesystem::path camera;  ///< Empty: that of the recording.
+  sources::BagTopics topics;     ///< Of a recording of ROS.
   std::filesystem::path out;
   pipeline::SlamOptions options;
   std::filesystem::path map;  ///< Goes on in this map; empty: begins one, map.wardmap in `out`.

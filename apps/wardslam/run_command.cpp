@@ -40,6 +40,7 @@ void run(const RunArguments& arguments) {
   run.input = recording.input;
   run.live = arguments.live;
   run.camera = recording.camera;
+  run.topics = recording.topics;
   run.out = recording.out;
   run.options = effectiveOptions(recording);
   run.map = arguments.map;

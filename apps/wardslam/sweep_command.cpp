@@ -146,6 +146,7 @@ class Sweep {
     RecordedRun run;
     run.input = arguments_.recording.input;
     run.camera = arguments_.recording.camera;
+    run.topics = arguments_.recording.topics;
     run.out = plan.folder;
     run.options = *plan.options;
     run.maxFrames = arguments_.recording.maxFrames;

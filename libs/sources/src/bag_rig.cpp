@@ -48,8 +48,7 @@ class RigMaker {
     const core::CameraModel depth = cameraOf(*survey_.depthInfo, depthTopic_, file_ + ": " + depthTopic_);
     const bool isAlike = areAlike(depth, recordedColor);
     if (isOneFrame && isAlike) return;
-    const auto T_depth_color = isOneFrame ? std::optional<Eigen::Isometry3d>(Eigen::Isometry3d::Identity())
-                                          : survey_.transforms.T(survey_.depthFrame, survey_.colorFrame);
+    const auto T_depth_color = T_between(isOneFrame);
     if (isAlike && T_depth_color && isIdentity(*T_depth_color)) return;
     if (!T_depth_color && isAlike) {
       rig.assumed += "; depth is taken for registered to colour, as both have one calibration";
@@ -84,6 +83,12 @@ class RigMaker {
   }
 
  private:
+  [[nodiscard]] std::optional<Eigen::Isometry3d> T_between(bool isOneFrame) const {
+    if (isOneFrame) return Eigen::Isometry3d::Identity();
+    if (!isNamed(survey_.depthFrame) || !isNamed(survey_.colorFrame)) return std::nullopt;
+    return survey_.transforms.T(survey_.depthFrame, survey_.colorFrame);
+  }
+
   [[noreturn]] void fail(const std::string& why) const {
     throw core::InputError(file_ + ": the depth of " + depthTopic_ + " " + why + kRemedy);
   }
