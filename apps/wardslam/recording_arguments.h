@@ -27,7 +27,8 @@ struct RecordingArguments : FilterArguments {
   std::optional<std::size_t> maxFrames;
 };
 
-/// INPUT, --out, --config, --camera, --color, --depth, --info, --masks, --model, --mode, --zones, --start-pose, --max-frames, --dynamic-truth.
+/// INPUT, --out, --config, --camera, --color, --depth, --info, --masks, --model, --mode, --zones, --start-pose,
+/// --max-frames, --dynamic-truth.
 void addRecordingArguments(CLI::App& command, RecordingArguments& arguments);
 
 /// The configuration file, overruled by the command line. Throws UsageError for arguments that contradict each other.

@@ -51,9 +51,9 @@ struct SourceOptions {
   BagTopics topics = {};  ///< Of a recording of ROS.
 };
 
-/// Opens a TUM folder, a .rawlog file or a recording of ROS (bags::isBag()), told apart by what the path is, and decodes
-/// images ahead in a thread of its own. Throws core::InputError. MRPT resolves external images of a rawlog through one process-wide folder, which
-/// this sets: only one rawlog with external images can be open at a time.
+/// Opens a TUM folder, a .rawlog file or a recording of ROS (bags::isBag()), told apart by what the path is, and
+/// decodes images ahead in a thread of its own. Throws core::InputError. MRPT resolves external images of a rawlog
+/// through one process-wide folder, which this sets: only one rawlog with external images can be open at a time.
 [[nodiscard]] std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input,
                                                             const SourceOptions& options);
 
