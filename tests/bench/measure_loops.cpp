@@ -42,6 +42,21 @@ class Truth {
   core::Trajectory trajectory_;
 };
 
+/// A place that was come back to, by the keyframes that say so.
+struct Visit {
+  double from_s = 0.0;
+  double to_s = 0.0;
+  double earlier_s = 0.0;  ///< When the place was seen first.
+  bool isOfOnePiece = false;
+  bool isTied = false;
+};
+
+void tellMissed(const char* what, const Visit& visit) {
+  if (visit.isTied) return;
+  std::printf("missed %s: %.1f to %.1f s, where it was at %.1f s, %s\n", what, visit.from_s, visit.to_s,
+              visit.earlier_s, visit.isOfOnePiece ? "in one piece and off" : "in another piece");
+}
+
 struct Counts {
   std::size_t loops = 0;
   std::size_t falseLoops = 0;
@@ -80,7 +95,7 @@ struct Relocalisations {
 
 /// Stretches of tracking, by their submaps, that meet an earlier one: are they one piece, and do they lie rightly?
 void compareMeetings(const Keyframes& keyframes, const Truth& truth, Counts& counts) {
-  std::map<std::uint32_t, bool> isRightOf;
+  std::map<std::uint32_t, Visit> meetings;
   for (const auto& [id, node] : keyframes) {
     const auto* here = truth.at(node.keyframe->stamp_s);
     for (const auto& [older, olderNode] : keyframes) {
@@ -93,11 +108,64 @@ void compareMeetings(const Keyframes& keyframes, const Truth& truth, Counts& cou
       if (!meets) continue;
       const Eigen::Isometry3d inMap = olderNode.T_map_cam.inverse() * node.T_map_cam;
       const bool isRight = olderNode.submap == node.submap && (step.inverse() * inMap).translation().norm() < kRight_m;
-      isRightOf[node.keyframe->submap] = isRightOf[node.keyframe->submap] || isRight;
+      const double here_s = node.keyframe->stamp_s;
+      Visit& meeting =
+          meetings.try_emplace(node.keyframe->submap, Visit{here_s, 0, olderNode.keyframe->stamp_s, false, false})
+              .first->second;
+      meeting.to_s = here_s;
+      meeting.isOfOnePiece = meeting.isOfOnePiece || olderNode.submap == node.submap;
+      meeting.isTied = meeting.isTied || isRight;
     }
   }
-  counts.meetings = isRightOf.size();
-  for (const auto& [submap, isRight] : isRightOf) counts.meetingsJoined += isRight ? 1U : 0U;
+  counts.meetings = meetings.size();
+  for (const auto& [submap, meeting] : meetings) {
+    counts.meetingsJoined += meeting.isTied ? 1U : 0U;
+    tellMissed("meeting", meeting);
+  }
+}
+
+/// What a keyframe says of the places that it comes back to; nothing: it is where nothing was for long.
+std::optional<Visit> revisitOf(const Keyframes& keyframes, const Truth& truth, const graph::KeyframeNode& node) {
+  const auto* here = truth.at(node.keyframe->stamp_s);
+  if (here == nullptr) return std::nullopt;
+  std::optional<Visit> visit;
+  const double here_s = node.keyframe->stamp_s;
+  for (const auto& [older, olderNode] : keyframes) {
+    const double there_s = olderNode.keyframe->stamp_s;
+    if (older >= node.keyframe->id || there_s + kAwayFor_s > here_s) break;
+    const auto* there = truth.at(there_s);
+    if (there == nullptr) continue;
+    const Eigen::Isometry3d step = there->inverse() * *here;
+    if (step.translation().norm() > kRevisit_m || Eigen::AngleAxisd(step.linear()).angle() > kRevisit_rad) continue;
+    if (!visit) visit = Visit{here_s, here_s, there_s, false, false};
+    if (olderNode.submap != node.submap) continue;
+    const Eigen::Isometry3d inMap = olderNode.T_map_cam.inverse() * node.T_map_cam;
+    visit->isOfOnePiece = true;
+    visit->isTied = visit->isTied || (step.inverse() * inMap).translation().norm() < kRight_m;
+  }
+  return visit;
+}
+
+void compareVisits(const Keyframes& keyframes, const Truth& truth, Counts& counts) {
+  std::optional<Visit> visit;
+  const auto endVisit = [&] {
+    if (!visit) return;
+    ++counts.visits;
+    counts.visitsTied += visit->isTied ? 1U : 0U;
+    tellMissed("visit", *visit);
+  };
+  for (const auto& [id, node] : keyframes) {
+    const auto here = revisitOf(keyframes, truth, node);
+    if (!here) continue;
+    if (!visit || here->from_s - visit->to_s > kOneVisit_s) {
+      endVisit();
+      visit = here;
+    }
+    visit->to_s = here->to_s;
+    visit->isOfOnePiece = visit->isOfOnePiece || here->isOfOnePiece;
+    visit->isTied = visit->isTied || here->isTied;
+  }
+  endVisit();
 }
 
 Counts compare(const graph::Mapper& mapper, const Truth& truth) {
@@ -122,34 +190,7 @@ Counts compare(const graph::Mapper& mapper, const Truth& truth) {
                   static_cast<unsigned long>(loop.older), keyframes.at(loop.older).keyframe->stamp_s, off_m);
     }
   }
-  double lastRevisit_s = -1e9;
-  bool isTied = false;
-  const auto endVisit = [&] {
-    if (lastRevisit_s > 0 && isTied) ++counts.visitsTied;
-  };
-  for (const auto& [id, node] : keyframes) {
-    bool isRevisit = false;
-    bool isRight = false;
-    for (const auto& [older, olderNode] : keyframes) {
-      if (older >= id || olderNode.keyframe->stamp_s + kAwayFor_s > node.keyframe->stamp_s) break;
-      const auto step = trueStep(older, id);
-      if (!step || step->translation().norm() > kRevisit_m) continue;
-      if (Eigen::AngleAxisd(step->linear()).angle() > kRevisit_rad) continue;
-      isRevisit = true;
-      const Eigen::Isometry3d inMap = olderNode.T_map_cam.inverse() * node.T_map_cam;
-      isRight =
-          isRight || (olderNode.submap == node.submap && (step->inverse() * inMap).translation().norm() < kRight_m);
-    }
-    if (!isRevisit) continue;
-    if (node.keyframe->stamp_s - lastRevisit_s > kOneVisit_s) {
-      endVisit();
-      ++counts.visits;
-      isTied = false;
-    }
-    isTied = isTied || isRight;
-    lastRevisit_s = node.keyframe->stamp_s;
-  }
-  endVisit();
+  compareVisits(keyframes, truth, counts);
   compareMeetings(keyframes, truth, counts);
   return counts;
 }

@@ -130,6 +130,23 @@ TEST_F(FloorsTest, OfAnotherPieceIsNone) {
   EXPECT_EQ(floorOf(2), 2U);
 }
 
+TEST_F(FloorsTest, AStepOrARampIsAnotherHoweverUnsureAViewIs) {
+  const FloorWalk walk(test::levelGround);
+  const auto standsWithTheOneBefore = [&](double step_m, double tilt_rad) {
+    graph_ = KeyframeGraph();
+    insert(walk.keyframe(1));
+    auto unsure = walk.keyframe(2);
+    unsure->ground->height_m += step_m;
+    unsure->ground->normal_cam = Eigen::AngleAxisd(tilt_rad, Eigen::Vector3d::UnitX()) * unsure->ground->normal_cam;
+    unsure->ground->covariance = Eigen::Vector3d(0.1, 0.1, 0.3).cwiseAbs2().asDiagonal();
+    insert(unsure);
+    return floorOf(2) == 1U;
+  };
+  EXPECT_TRUE(standsWithTheOneBefore(0.04, 0.02));
+  EXPECT_FALSE(standsWithTheOneBefore(0.07, 0.0));
+  EXPECT_FALSE(standsWithTheOneBefore(0.0, 0.035)) << "2 degrees";
+}
+
 TEST_F(FloorsTest, FewerThanThreeTellNothing) {
   drive(FloorWalk(test::levelGround), 1, 2);
   EXPECT_TRUE(graph::floorsOf(graph_).empty());

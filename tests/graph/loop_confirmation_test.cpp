@@ -58,6 +58,41 @@ TEST_F(LoopConfirmationTest, DoesNotCountThoseThatSaySomethingElse) {
   EXPECT_THAT(see(17, {loop(3, 17)}), IsEmpty());
 }
 
+TEST_F(LoopConfirmationTest, NorThoseThatSayItIsTurned) {
+  confirmation_ = LoopConfirmation(options_);
+  see(15, {loop(1, 15)});
+  see(16, {loop(2, 16)});
+  Loop turned = loop(3, 17);
+  turned.T_older_newer.rotate(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()));
+  EXPECT_THAT(see(17, {turned}), IsEmpty());
+}
+
+/// Places 1 to 3, a metre apart, all of which say that 15 stands at the first.
+TEST_F(LoopConfirmationTest, CountsAKeyframeOnceAsTheBestPlaceKnowsIt) {
+  confirmation_ = LoopConfirmation(options_);
+  Loop best{2, 15, makePose({-1, 0, 0}), 150, {}, {2}};
+  EXPECT_THAT(see(15, {loop(1, 15), best, {3, 15, makePose({-2, 0, 0}), 120, {}, {3}}}), IsEmpty());
+  see(16, {loop(2, 16)});
+  const auto confirmed = see(17, {loop(3, 17)});
+  ASSERT_THAT(confirmed, SizeIs(3));
+  EXPECT_EQ(confirmed.back().inliers, 150);
+}
+
+TEST_F(LoopConfirmationTest, WhatIsGivenUpLeavesItsLookToItsHeir) {
+  confirmation_ = LoopConfirmation(options_);
+  see(15, {loop(1, 15)});
+  see(16, {loop(2, 16)});
+  confirmation_.apply({16, 15, makePose({1, 0, 0})});
+  confirmation_.apply({2, 3, makePose({-1, 0, 0})});
+  graph_.remove(16);
+  graph_.remove(2);
+  const auto confirmed = see(17, {loop(3, 17)});
+  ASSERT_THAT(confirmed, SizeIs(3));
+  EXPECT_EQ(confirmed[1].older, 3U);
+  EXPECT_EQ(confirmed[1].newer, 15U);
+  EXPECT_TRUE(confirmed[1].T_older_newer.isApprox(makePose({-2, 0, 0}))) << "where 1 is";
+}
+
 TEST_F(LoopConfirmationTest, ForgetsWhatIsNotSeenAgainSoon) {
   confirmation_ = LoopConfirmation(options_);
   see(12, {loop(1, 12)});
@@ -190,6 +225,30 @@ TEST_F(JoinConfirmationTest, InTheEndTakesTheBestThereWas) {
   ASSERT_THAT(settled, SizeIs(2));
   EXPECT_EQ(settled.front().newer, 16U) << "the newest first";
   EXPECT_THAT(settle(), IsEmpty()) << "there is no more";
+}
+
+/// Of a second piece one look, of a third two.
+TEST_F(JoinConfirmationTest, InTheEndTheBestComesFirst) {
+  for (const KeyframeId id : {21, 22}) {
+    auto keyframe = std::make_shared<odometry::Keyframe>();
+    keyframe->id = id;
+    keyframe->submap = 3;
+    if (id == 22) keyframe->T_previous_cam = makePose({1, 0, 0});
+    graph_.insert(keyframe);
+  }
+  see(15, {loop(1, 15)});
+  see(21, {loop(5, 21)});
+  EXPECT_THAT(see(22, {loop(6, 22)}), IsEmpty());
+  EXPECT_THAT(settle(), SizeIs(2));
+  EXPECT_THAT(settle(), SizeIs(1));
+}
+
+TEST_F(JoinConfirmationTest, InTheEndARoomIsNotEnoughEither) {
+  const KeyframeGraph lost = lostFor(11.0);
+  for (KeyframeId newest = 15; newest <= 18; ++newest) {
+    EXPECT_THAT(confirmation_.confirm(lost, newest, {strongLoop(newest - 14, newest)}), IsEmpty()) << newest;
+  }
+  EXPECT_THAT(confirmation_.settle(lost, [](const Loop& /*loop*/) { return false; }), IsEmpty());
 }
 
 TEST_F(JoinConfirmationTest, InTheEndLeavesOutWhatIsRefused) {

@@ -29,7 +29,7 @@ class ReachTest : public ::testing::Test {
   [[nodiscard]] double ambiguity_m(double x_m) const {
     const KeyframeId newest = graph_.keyframes().rbegin()->first;
     const Loop loop{1, newest, makePose({x_m, 0, 0}) * graph_.keyframes().at(newest).T_map_cam, 100, {}, {1}};
-    return graph::ambiguity_m(graph_, loop, options_);
+    return graph::ambiguity_m(graph_, loop, options_).value();
   }
 
   LoopVerificationOptions options_;
@@ -119,6 +119,8 @@ TEST_F(ReachTest, AsksOnlyThisRun) {
   graph_.restore(earlier, {});
   loseAndGo(1.0);
   EXPECT_TRUE(isWithinReach(100.0)) << "nobody knows what happened in between";
+  EXPECT_FALSE(graph::ambiguity_m(graph_, Loop{1, 2, Eigen::Isometry3d::Identity(), 100, {}, {1}}, options_))
+      << "nor how far that led";
 }
 
 }  // namespace

@@ -103,6 +103,13 @@ class Floor : public ::testing::Test {
     return (T_first_cam.translation() - T_first_cam_true.translation()).norm();
   }
 
+  /// Between what is up for the camera and what is said to be.
+  static double tilt_deg(const Truth& truth, const core::StampedPose& pose) {
+    const Eigen::Vector3d up_cam = pose.T_map_cam.linear().transpose() * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d up_cam_true = truth.at(key(pose.stamp_s)).linear().transpose() * Eigen::Vector3d::UnitZ();
+    return std::acos(std::min(1.0, up_cam.dot(up_cam_true))) * 180.0 / M_PI;
+  }
+
   /// How far the camera went from then on.
   static double way_m(const Truth& truth, double from_s) {
     double way_m = 0.0;
@@ -168,7 +175,10 @@ void Floor::expectThatPiecesAreStoredAndTold(bool isDeterministic) {
   EXPECT_EQ(summary.at("pieces_unjoined"), 1);
   const auto trajectory = exchange::readTumTrajectory(out / "trajectory.txt");
   EXPECT_EQ(trajectory.size(), 55U);
-  for (const auto& pose : trajectory) EXPECT_LT(error_m(truth, trajectory.front(), pose), 0.1) << "of one frame";
+  for (const auto& pose : trajectory) {
+    EXPECT_LT(error_m(truth, trajectory.front(), pose), 0.1) << "of one frame";
+    EXPECT_LT(tilt_deg(truth, pose), 1.5) << "begun anew upright, as well as one image shows the floor";
+  }
   EXPECT_EQ(exchange::readTumTrajectory(out / "trajectory_piece_0.txt").size(), 6U);
 
   const auto file = storage::MapFile::open(out / "map.wardmap");

@@ -60,6 +60,35 @@ TEST_F(GroundWatchTest, IsLessSureFartherOn) {
   EXPECT_TRUE(see(0.4, 3.0)) << "3 m of a ramp lead there";
 }
 
+/// Tracking was lost, and the camera tilted meanwhile.
+TEST_F(GroundWatchTest, PlacesWhoBeginsAnewUprightOverTheGround) {
+  const Eigen::Isometry3d truth = scene::cameraAt({7.0, -2.0, 1.3}) * Eigen::AngleAxisd(0.07, Eigen::Vector3d::UnitX());
+  const Eigen::Isometry3d believed = scene::cameraAt({0.0, 0.0, 1.0});
+  const cv::Mat depth_m = groundAt(0.0, truth);
+  EXPECT_TRUE(watch_.placeAnew(believed, scene::camera(), depth_m).isApprox(believed)) << "nothing is known";
+  ASSERT_TRUE(see(0.0));
+  const Eigen::Isometry3d placed = watch_.placeAnew(believed, scene::camera(), depth_m);
+  EXPECT_LT((placed.linear() - truth.linear()).norm(), 0.01) << "0.1 without";
+  EXPECT_LT((placed.translation() - Eigen::Vector3d(0.0, 0.0, 1.3)).norm(), 0.01) << "where it goes on nobody knows";
+  const cv::Mat nothing(depth_m.size(), CV_32FC1, cv::Scalar(0));
+  EXPECT_TRUE(watch_.placeAnew(believed, scene::camera(), nothing).isApprox(believed));
+}
+
+/// By a start pose that is tilted, or since the map was joined to another.
+TEST_F(GroundWatchTest, PlacesThemOverTheGroundAsItLiesInTheMap) {
+  ASSERT_TRUE(see(0.0));
+  const Eigen::Isometry3d leaning = Eigen::Translation3d(3.0, 1.0, 0.5) *
+                                    Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()) *
+                                    Eigen::AngleAxisd(0.1, Eigen::Vector3d(1.0, 2.0, 0.0).normalized());
+  watch_.follow(leaning);
+  const Eigen::Isometry3d truth = leaning * scene::cameraAt({0.5, 0.3, 1.2});
+  const Eigen::Isometry3d believed = truth * Eigen::AngleAxisd(-0.05, Eigen::Vector3d::UnitX());
+  const Eigen::Isometry3d placed =
+      watch_.placeAnew(believed, scene::camera(), groundAt(0.0, scene::cameraAt({0.5, 0.3, 1.2})));
+  EXPECT_LT((placed.linear() - truth.linear()).norm(), 0.01);
+  EXPECT_LT((placed.translation() - truth.translation()).norm(), 0.01);
+}
+
 TEST_F(GroundWatchTest, BeginsAnewWhereTrackingDoes) {
   ASSERT_TRUE(see(0.0));
   EXPECT_TRUE(see(0.4, 0.3, 2));

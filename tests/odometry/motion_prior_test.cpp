@@ -88,8 +88,9 @@ class TrackingByMotionPriors : public ::testing::Test {
   [[nodiscard]] core::Features look(int image) {
     return world_.look(SyntheticWorld::T_world_cam(image, kImages), {0.5, 1.0, 8});
   }
-  OdometryResult track(const core::Features& features, const std::optional<MotionPrior>& motion = {}) {
-    return odometry_.track(stamp_s_ += 1.0 / 30, SyntheticWorld::camera(), features, {}, motion);
+  OdometryResult track(const core::Features& features, const std::optional<MotionPrior>& motion = {},
+                       const Placement& placeAnew = {}) {
+    return odometry_.track(stamp_s_ += 1.0 / 30, SyntheticWorld::camera(), features, {}, motion, placeAnew);
   }
   void trackUntil(int image) {
     for (int i = 0; i <= image; ++i) track(look(i));
@@ -174,6 +175,25 @@ TEST_F(TrackingByMotionPriors, ANewSubmapBeginsWhereMotionsLead) {
   ASSERT_EQ(begun.state, State::Ok);
   EXPECT_EQ(begun.piece, 1U) << "not that of the first";
   EXPECT_LT(distance_m(begun.T_map_cam, truth(26)), 0.04);
+}
+
+TEST_F(TrackingByMotionPriors, ANewSubmapBeginsWhereItIsPlaced) {
+  trackUntil(20);
+  for (int image = 21; image <= 25; ++image) track({});
+  const auto placed = truth(70);
+  SyntheticWorld elsewhere(3000, 99);
+  int asked = 0;
+  const auto placeAnew = [&](const Eigen::Isometry3d& T_map_cam) {
+    ++asked;
+    EXPECT_LT(distance_m(T_map_cam, truth(20)), 0.01) << "where it was last";
+    return placed;
+  };
+  const auto begun = track(elsewhere.look(SyntheticWorld::T_world_cam(26, kImages)), {}, placeAnew);
+  ASSERT_EQ(begun.state, State::Ok);
+  EXPECT_LT(distance_m(begun.T_map_cam, placed), 1e-9);
+  EXPECT_LT(distance_m(begun.keyframe->T_map_cam, placed), 1e-9);
+  EXPECT_EQ(track(elsewhere.look(SyntheticWorld::T_world_cam(27, kImages)), {}, placeAnew).state, State::Ok);
+  EXPECT_EQ(asked, 1) << "only who begins anew";
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loop_confirmation.h"
+
 namespace wardslam::graph {
 
 double correction_m(const KeyframeGraph& graph, const Loop& loop) {
@@ -32,7 +34,16 @@ bool Lookalikes::areMistakable(const KeyframeGraph& graph, const Loop& loop) con
   return isMistakable(loop.older) || isMistakable(loop.newer);
 }
 
+const std::vector<Loop>& Lookalikes::doublesOf(KeyframeId id, const std::function<std::vector<Loop>()>& search) {
+  const auto known = doubles_.find(id);
+  return known != doubles_.end() ? known->second : doubles_.emplace(id, search()).first->second;
+}
+
 void Lookalikes::apply(const odometry::RemovedKeyframe& removed) {
+  doubles_.erase(removed.id);
+  for (auto& [id, looks] : doubles_) {
+    for (Loop& look : looks) rehang(look, removed);
+  }
   const auto known = apart_m_.find(removed.id);
   if (known == apart_m_.end()) return;
   add(removed.heir, known->second);

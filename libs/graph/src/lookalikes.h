@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -21,12 +22,16 @@ class Lookalikes {
   /// for a correction that leads half the way to the nearest double, or farther.
   [[nodiscard]] bool areMistakable(const KeyframeGraph& graph, const Loop& loop) const;
 
+  /// What a keyframe's room looks like elsewhere (doublesOf()); searched for once.
+  const std::vector<Loop>& doublesOf(KeyframeId id, const std::function<std::vector<Loop>()>& search);
+
   void apply(const odometry::RemovedKeyframe& removed);
 
  private:
   void add(KeyframeId id, double apart_m);
 
   std::map<KeyframeId, double> apart_m_;  ///< From the nearest double.
+  std::map<KeyframeId, std::vector<Loop>> doubles_;
 };
 
 /// How far the loop says that its newer end is from where it is in the map; of one piece.

@@ -178,7 +178,7 @@ bool LoopConfirmation::isConfirmed(const KeyframeGraph& graph, const Hypothesis&
 bool LoopConfirmation::isWideEnough(const KeyframeGraph& graph, const Hypothesis& hypothesis) const {
   const Loop& last = hypothesis.back();
   if (!joins(graph, last)) return true;
-  const double ambiguity_m = graph::ambiguity_m(graph, last, verification_);
+  const double ambiguity_m = graph::ambiguity_m(graph, last, verification_).value_or(0.0);
   if (ambiguity_m <= kLeastDouble_m) return true;
   const auto isOfAllThereIs = [this](const Loop& loop) { return isAllOver(loop); };
   if (ambiguity_m <= kLeastRow_m && std::any_of(hypothesis.begin(), hypothesis.end(), isOfAllThereIs)) return true;

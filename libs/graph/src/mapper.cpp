@@ -6,29 +6,20 @@
 #include <set>
 
 #include "bundle_adjustment.h"
+#include "doubles.h"
 #include "floors.h"
 #include "lookalikes.h"
 #include "loop_confirmation.h"
 #include "loop_fit.h"
+#include "map_motion.h"
 #include "overlap.h"
-#include "pose_graph.h"
+#include "reach.h"
 #include "redundancy.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::graph {
 namespace {
-
-/// Moves keyframes to new poses; every point goes with the first keyframe that saw it.
-void moveKeyframes(KeyframeGraph& graph, const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
-  for (const auto& [id, node] : graph.points()) {
-    const KeyframeId reference = *node.seenBy.begin();
-    const auto moved = T_map_cam.find(reference);
-    if (moved == T_map_cam.end()) continue;
-    graph.movePoint(id, core::rigid(moved->second * graph.keyframes().at(reference).T_map_cam.inverse()));
-  }
-  for (const auto& [id, pose] : T_map_cam) graph.setPose(id, pose);
-}
 
 /// The whole submap as tracking should know it; what is held is where it always was.
 void describe(const KeyframeGraph& graph, std::uint32_t submap, odometry::MapUpdate& update) {
@@ -90,9 +81,7 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
   if (options_.close_loops) {
     rememberPlaces(keyframe->id);
     const auto loops = confirmation_->confirm(graph_, keyframe->id, recognise(keyframe->id));
-    const bool areMistakable = std::any_of(
-        loops.begin(), loops.end(), [this](const Loop& loop) { return lookalikes_->areMistakable(graph_, loop); });
-    if (!loops.empty() && !areMistakable) close(loops, stop, update);
+    if (!loops.empty() && !areMistakable(loops)) close(loops, stop, update);
   }
   recallAround(keyframe->id, update);
   tellNewest(graph_, keyframe->id, update);
@@ -227,6 +216,28 @@ bool Mapper::isBelievable(const Loop& loop) {
   return false;
 }
 
+bool Mapper::areMistakable(const std::vector<Loop>& loops) {
+  const auto isMistakable = [this](const Loop& loop) { return lookalikes_->areMistakable(graph_, loop); };
+  if (std::any_of(loops.begin(), loops.end(), isMistakable)) return true;
+  const Loop& newest = loops.front();
+  const bool joins = graph_.keyframes().at(newest.older).submap != graph_.keyframes().at(newest.newer).submap;
+  return joins && !ambiguity_m(graph_, newest, options_.loop_verification) && hasDouble(newest);
+}
+
+/// Of a run's way into an earlier map nothing is known. But the map itself tells what else looks like the place.
+bool Mapper::hasDouble(const Loop& join) {
+  for (const KeyframeId id : roomAround(graph_, join.older)) {
+    const auto search = [&] { return doublesOf(graph_, id, places_, verification_, options_.place_recognition); };
+    const bool isOfPlace = std::find(join.place.begin(), join.place.end(), id) != join.place.end();
+    for (const Loop& look : lookalikes_->doublesOf(id, search)) {
+      if (!isOfPlace && !confirmation_->isStrong(look)) continue;
+      if (verification_.isPlausible(graph_, look, loops_)) continue;
+      if (explains(graph_, look, join, verification_, options_.loop_verification)) return true;
+    }
+  }
+  return false;
+}
+
 /// Whatever does not fit in the end is taken back whole, before anybody hears of it.
 bool Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update) {
   std::optional<odometry::MapUpdate> closing;
@@ -275,7 +286,7 @@ std::optional<odometry::MapUpdate> Mapper::closeWith(const std::vector<Loop>& lo
   const std::uint32_t piece = graph_.keyframes().at(loops.front().newer).submap;
   if (bent == Bent::All) graph_.unsettle(piece);
   const Steps steps = tiedSteps(graph_, piece, options_.pose_graph.min_shared_points);
-  optimisePoses(piece);
+  optimisePoses(graph_, piece, loops_, options_.pose_graph);
   for (const Loop& loop : loops) fuse(loop, closing);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
   auto adjusted = adjust(graph_, globalWindow(graph_, piece), adjustment, adjustment.global_iterations, stop);
@@ -308,7 +319,7 @@ std::optional<odometry::MapUpdate> Mapper::settle() {
   for (auto loops = confirmation_->settle(graph_, isRefused); !loops.empty();
        loops = confirmation_->settle(graph_, isRefused)) {
     odometry::MapUpdate update;
-    if (!close(loops, nullptr, update)) continue;
+    if (areMistakable(loops) || !close(loops, nullptr, update)) continue;
     tellNewest(graph_, graph_.keyframes().rbegin()->first, update);
     return update;
   }
@@ -337,24 +348,6 @@ std::optional<odometry::SubmapJoin> Mapper::joinSubmaps(const Loop& loop) {
   graph_.joinSubmaps(join.from, join.into);
   pieces_.join(join);
   return join;
-}
-
-void Mapper::optimisePoses(std::uint32_t submap) {
-  PoseGraph poses = makePoseGraph(graph_, submap, loops_, options_.pose_graph);
-  std::set<std::pair<KeyframeId, KeyframeId>> loopEdges;
-  for (const Loop& loop : loops_) loopEdges.emplace(loop.older, loop.newer);
-  std::set<KeyframeId> held;
-  std::set<KeyframeId> nodes;
-  for (const auto& [id, pose] : poses.nodes) {
-    nodes.insert(id);
-    if (!graph_.keyframes().at(id).mayMove()) held.insert(id);
-  }
-  optimise(poses, loopEdges, held, options_.pose_graph, FloorTies(graph_, nodes));
-  std::map<KeyframeId, Eigen::Isometry3d> T_map_cam;
-  for (const auto& [id, pose] : poses.nodes) {
-    if (held.count(id) == 0) T_map_cam[id] = core::fromMrpt(pose);
-  }
-  moveKeyframes(graph_, T_map_cam);
 }
 
 void Mapper::fuse(const Loop& loop, odometry::MapUpdate& update) {

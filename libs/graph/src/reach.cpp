@@ -1,7 +1,6 @@
 #include "reach.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace wardslam::graph {
 namespace {
@@ -135,14 +134,15 @@ double ambiguity_m(const Crossing& crossing, double speed_mps, const LoopVerific
 
 }  // namespace
 
-double ambiguity_m(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options) {
+std::optional<double> ambiguity_m(const KeyframeGraph& graph, const Loop& loop,
+                                  const LoopVerificationOptions& options) {
   const double speed_mps = usualSpeed_mps(graph, options.max_speed_mps);
   std::optional<double> least_m;
   forEachCrossing(graph, loop, options, [&](const Crossing& crossing) {
     const double here_m = ambiguity_m(crossing, speed_mps, options);
     least_m = std::min(least_m.value_or(here_m), here_m);
   });
-  return least_m.value_or(0.0);
+  return least_m;
 }
 
 bool isWithinReach(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options) {

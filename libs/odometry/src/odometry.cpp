@@ -45,13 +45,13 @@ class Odometry::Tracker {
   }
 
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features,
-                       const DepthImage& depth, const std::optional<MotionPrior>& motion) {
+                       const DepthImage& depth, const std::optional<MotionPrior>& motion, const Placement& placeAnew) {
     predict(motion);
     const TrackedImage view{stamp_s,  camera,    features, depth, KeypointGrid(features.keypoints, camera),
                             frame_++, predicted_};
-    if (state_ == State::Initialising) return initialise(view);
+    if (state_ == State::Initialising) return initialise(view, placeAnew);
     const Tracking tracking = find(view);
-    return poseTracker_.isGood(tracking) ? accept(view, tracking) : lose(view, tracking);
+    return poseTracker_.isGood(tracking) ? accept(view, tracking) : lose(view, tracking, placeAnew);
   }
 
   Eigen::Isometry3d apply(const MapUpdate& update);
@@ -72,13 +72,13 @@ class Odometry::Tracker {
   };
 
   void predict(const std::optional<MotionPrior>& motion);
-  OdometryResult initialise(const TrackedImage& view);
+  OdometryResult initialise(const TrackedImage& view, const Placement& placeAnew);
   [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
                                                               const core::Keypoint& keypoint) const;
   [[nodiscard]] Tracking find(const TrackedImage& view) const;
   [[nodiscard]] bool isWithinReach(const TrackedImage& view, const Tracking& tracking) const;
   OdometryResult accept(const TrackedImage& view, const Tracking& tracking);
-  OdometryResult lose(const TrackedImage& view, const Tracking& tracking);
+  OdometryResult lose(const TrackedImage& view, const Tracking& tracking, const Placement& placeAnew);
   void beginSubmap();
   Eigen::Isometry3d correctionOfYounger(const MapUpdate& update);
   void moveWhatIsYounger(const Eigen::Isometry3d& correction);
@@ -127,10 +127,11 @@ void Odometry::Tracker::predict(const std::optional<MotionPrior>& motion) {
   predicted_ = PosePrior{core::rigid(way.T_previous_now.inverse() * from.T_cam_map), way.covariance};
 }
 
-OdometryResult Odometry::Tracker::initialise(const TrackedImage& view) {
+OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Placement& placeAnew) {
   const auto newPoints = newPointCandidates(view, {});
   if (static_cast<int>(newPoints.size()) < options_.min_initial_points) return {};
   if (view.prior) T_cam_map_ = view.prior->T_cam_map;
+  if (hasStarted_ && placeAnew) T_cam_map_ = placeAnew(T_cam_map_.inverse()).inverse();
   state_ = State::Ok;
   hasStarted_ = true;
   framesSincePose_ = 0;
@@ -179,7 +180,7 @@ OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Trackin
   return accepted;
 }
 
-OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking& tracking) {
+OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking& tracking, const Placement& placeAnew) {
   state_ = State::Lost;
   if (++framesLost_ <= options_.max_lost_frames) {
     OdometryResult lost = result(tracking, nullptr);
@@ -190,7 +191,7 @@ OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking&
     return lost;
   }
   beginSubmap();
-  return initialise(view);
+  return initialise(view, placeAnew);
 }
 
 /// Goes on with a fresh map where the old one was lost: what is recorded from now on can be joined to it later.
@@ -330,8 +331,9 @@ bool Odometry::hasStarted() const { return tracker_->hasStarted(); }
 void Odometry::startFrom(const Eigen::Isometry3d& T_map_cam) { tracker_->startFrom(T_map_cam); }
 
 OdometryResult Odometry::track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures,
-                               const DepthImage& depth, const std::optional<MotionPrior>& motion) {
-  return tracker_->track(stamp_s, camera, staticFeatures, depth, motion);
+                               const DepthImage& depth, const std::optional<MotionPrior>& motion,
+                               const Placement& placeAnew) {
+  return tracker_->track(stamp_s, camera, staticFeatures, depth, motion, placeAnew);
 }
 
 Eigen::Isometry3d Odometry::apply(const MapUpdate& update) { return tracker_->apply(update); }

@@ -51,9 +51,12 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
   if (!odometry_.hasStarted()) odometry_.startFrom(startPose(mapFrame_, frame));
   std::optional<odometry::MotionPrior> ofCamera;
   if (motion) ofCamera = odometry::transformed(*motion, frame.T_base_cam);
+  const auto placeAnew = [&](const Eigen::Isometry3d& T_map_cam) {
+    return groundWatch_.placeAnew(T_map_cam, frame.camera, frame.depth_m);
+  };
   auto odometry = profiler_.time("odometry.track", [&] {
     return odometry_.track(frame.stamp_s, frame.camera, core::selectStatic(frame.features),
-                           {frame.depth_m, frame.mayMove}, ofCamera);
+                           {frame.depth_m, frame.mayMove}, ofCamera, placeAnew);
   });
   if (odometry.keyframe) {
     odometry.keyframe =
@@ -65,7 +68,9 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
 }
 
 void FrontEnd::apply(const odometry::MapUpdate& update) {
-  T_odom_map_ = T_odom_map_ * odometry_.apply(update).inverse();
+  const Eigen::Isometry3d correction = odometry_.apply(update);
+  T_odom_map_ = T_odom_map_ * correction.inverse();
+  groundWatch_.follow(correction);
 }
 
 void FrontEnd::requireSoundSetup() {

@@ -79,6 +79,8 @@ class Mapper {
   void rememberPlace(KeyframeId id);
   [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest);
   [[nodiscard]] bool isBelievable(const Loop& loop);
+  [[nodiscard]] bool areMistakable(const std::vector<Loop>& loops);
+  [[nodiscard]] bool hasDouble(const Loop& join);
   bool close(const std::vector<Loop>& loops, const std::atomic<bool>* stop, odometry::MapUpdate& update);
   [[nodiscard]] bool leavesTheSettled(const Loop& loop) const;
   std::optional<odometry::MapUpdate> closeWith(const std::vector<Loop>& loops, Bent bent,
@@ -86,7 +88,6 @@ class Mapper {
   [[nodiscard]] bool agreesInDepth(const Loop& join) const;
   [[nodiscard]] odometry::SubmapJoin directionOf(std::uint32_t piece, std::uint32_t other) const;
   std::optional<odometry::SubmapJoin> joinSubmaps(const Loop& loop);
-  void optimisePoses(std::uint32_t submap);
   [[nodiscard]] bool isHeld(KeyframeId id) const { return graph_.keyframes().at(id).isHeld; }
   void fuse(const Loop& loop, odometry::MapUpdate& update);
   void recallAround(KeyframeId newest, odometry::MapUpdate& update);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +55,9 @@ struct Continuation {
   std::optional<std::uint32_t> map;  ///< The piece that is the map, and stays it.
 };
 
+/// Where the camera stands in the map frame when a piece begins, given where it is believed to.
+using Placement = std::function<Eigen::Isometry3d(const Eigen::Isometry3d& T_map_cam)>;
+
 /// RGB-D visual odometry on ORB key points against a local map of points. It sees key points that are static and
 /// nothing else: no class names, no networks.
 ///
@@ -73,9 +77,11 @@ class Odometry {
 
   /// Finds the camera's pose from the static features of the next image. Its depth tells places that look the same
   /// apart, and goes along with keyframes. `motion`: of the camera since the image before, in place of a constant
-  /// velocity; it also counts as a measurement of the pose, and leads on where the image shows too little.
+  /// velocity; it also counts as a measurement of the pose, and leads on where the image shows too little. `placeAnew`
+  /// is asked when tracking was lost and a piece begins with this image; without it, where the camera was last.
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& staticFeatures,
-                       const DepthImage& depth = {}, const std::optional<MotionPrior>& motion = {});
+                       const DepthImage& depth = {}, const std::optional<MotionPrior>& motion = {},
+                       const Placement& placeAnew = {});
 
   /// Takes over better positions of points and keyframes. After a loop, what the mapper did not know yet, the camera
   /// above all, moves as the newest keyframe does that it knew; an update of a submap that tracking has left changes
