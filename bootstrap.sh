@@ -15,6 +15,7 @@ readonly PACKAGES=(
   libsqlitecpp-dev libzstd-dev liboctomap-dev # the map file and its exports
   zlib1g-dev # rawlogs
   libpng-dev # masks
+  libbz2-dev liblz4-dev # recordings of ROS
   libcurl4-openssl-dev libssl-dev # wardslam models
   libembree-dev # rawlog-synth casts rays
   libegl1 libegl-mesa0 libgl1-mesa-dri # pictures of a map without a display

@@ -14,7 +14,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "From the images of an RGB-D or stereo camera to the way of a robot and a map
 of objects, leaving out what moves. Reads MRPT rawlogs, folders in the layout
-of the TUM RGB-D benchmark, and live cameras; its filters are plug-ins for
+of the TUM RGB-D benchmark, recordings of ROS, and live cameras; its filters are plug-ins for
 MRPT's programs too. Contains programs, libraries, headers and configuration.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})

@@ -15,6 +15,7 @@
 #include "picture_writer.h"
 #include "run_folder.h"
 #include "support/playback_clock.h"
+#include "support/program.h"
 #include "support/progress.h"
 #include "support/told_at_once.h"
 #include "wardslam/core/errors.h"
@@ -23,6 +24,7 @@
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/pipeline/zone_watch.h"
+#include "wardslam/sources/choice_needed.h"
 #include "wardslam/sources/observation_source.h"
 #include "wardslam/storage/map_copy.h"
 #include "wardslam/storage/map_file_writer.h"
@@ -51,8 +53,17 @@ sources::SourceOptions sourceOptions(const RecordedRun& run, InputTrouble& troub
   options.note = tellAtOnce;
   options.depth_units_per_m = run.depthFactor;
   options.sensor = run.live.section;
+  options.topics = run.topics;
   options.warn = [&trouble](const std::string& sentence) { trouble.add(sentence); };
   return options;
+}
+
+std::unique_ptr<sources::ObservationSource> openRecording(const RecordedRun& run, InputTrouble& trouble) {
+  try {
+    return sources::openSource(run.input, sourceOptions(run, trouble));
+  } catch (const sources::ChoiceNeeded& choice) {
+    throw UsageError(choice.what());
+  }
 }
 
 std::optional<std::size_t> expectedFrames(const sources::ObservationSource& source, const RecordedRun& run) {
@@ -236,7 +247,7 @@ class Execution {
     if (sources::isSensorConfiguration(run_.input)) {
       live_.emplace(run_.input, run_.live, run_.options.sources.live, sourceOptions(run_, trouble_), interruption_);
     } else {
-      recording_ = sources::openSource(run_.input, sourceOptions(run_, trouble_));
+      recording_ = openRecording(run_, trouble_);
     }
     return pipeline::SlamSystem(run_.options, earlierMapOf(run_), whenBehind(run_, live_.has_value()));
   }

@@ -8,6 +8,7 @@
 #include "live_run.h"
 #include "support/interruption.h"
 #include "wardslam/pipeline/slam_options.h"
+#include "wardslam/sources/bag_topics.h"
 
 namespace wardslam::apps {
 
@@ -17,6 +18,7 @@ struct RecordedRun {
   LiveInput live;                     ///< For a camera; its section is the sensor's label in a rawlog.
   std::filesystem::path camera;       ///< Empty: that of the recording.
   std::optional<double> depthFactor;  ///< Units of depth per metre; replaces what camera file or rawlog say.
+  sources::BagTopics topics;          ///< Of a recording of ROS.
   std::filesystem::path out;
   pipeline::SlamOptions options;
   std::filesystem::path map;  ///< Goes on in this map; empty: begins one, map.wardmap in `out`.

@@ -8,8 +8,8 @@ void addRecordingArguments(CLI::App& command, RecordingArguments& arguments) {
   command
       .add_option(
           "INPUT", arguments.input,
-          "a .rawlog file, a folder in the layout of the TUM RGB-D benchmark, or an .ini file of rawlog-grabber "
-          "(a live camera)")
+          "a .rawlog file, a folder in the layout of the TUM RGB-D benchmark, a recording of ROS (.bag, .mcap, .db3 or "
+          "the folder of a ROS 2 bag), or an .ini file of rawlog-grabber (a live camera)")
       ->required();
   command.add_option("--out", arguments.out, "folder for the results; made when absent")->required();
   command.add_option(
@@ -21,6 +21,9 @@ void addRecordingArguments(CLI::App& command, RecordingArguments& arguments) {
           "value of a depth pixel one metre away (1000 for millimetres, 5000 for the TUM benchmark's); replaces "
           "what camera file or rawlog say")
       ->check(CLI::Range(1.0, 1e6));
+  command.add_option("--color", arguments.topics.color, "topic of the colour images, in a recording of ROS");
+  command.add_option("--depth", arguments.topics.depth, "topic of the depth images, in a recording of ROS");
+  command.add_option("--info", arguments.topics.info, "topic of the calibration, in a recording of ROS");
   addFilterArguments(command, arguments);
   command.add_option("--zones", arguments.zones, "named parts of the floor (YAML), in the map frame");
   command.add_option("--start-pose", arguments.startPose,

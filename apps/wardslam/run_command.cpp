@@ -44,6 +44,7 @@ void run(const RunArguments& arguments) {
   run.live = arguments.live;
   run.camera = recording.camera;
   run.depthFactor = recording.depthFactor;
+  run.topics = recording.topics;
   run.out = recording.out;
   run.options = effectiveOptions(recording);
   run.map = arguments.map;

@@ -147,6 +147,7 @@ class Sweep {
     run.input = arguments_.recording.input;
     run.camera = arguments_.recording.camera;
     run.depthFactor = arguments_.recording.depthFactor;
+    run.topics = arguments_.recording.topics;
     run.out = plan.folder;
     run.options = *plan.options;
     run.maxFrames = arguments_.recording.maxFrames;

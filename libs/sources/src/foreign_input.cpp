@@ -22,12 +22,9 @@ struct Kind {
 };
 
 constexpr const char* kUnpack = "unpack it and give the folder or the .rawlog in it";
-constexpr const char* kTurnBag = "turn it into a rawlog: bag2rawlog FILE -o FILE.rawlog";
 constexpr const char* kNoRecording = "give a .rawlog, a folder in the layout of the TUM benchmark or an .ini file";
 
 constexpr Kind kKinds[] = {
-    {"#ROSBAG V", "a bag of ROS 1", kTurnBag},
-    {"\x89MCAP0\r\n", "a bag of ROS 2 (MCAP)", kTurnBag},
     {"PK\x03\x04", "a zip archive", kUnpack},
     {"BZh", "an archive compressed with bzip2", kUnpack},
     {"\xFD"
@@ -61,10 +58,7 @@ void refuseForeignInput(const fs::path& file) {
     if (head.compare(0, kind.mark.size(), kind.mark) == 0) fail(file, kind.name, kind.advice);
   }
   if (head.compare(0, 15, "SQLite format 3") == 0) {
-    if (file.extension() == ".wardmap") {
-      fail(file, "a map", "give the recording, and this map with --map to go on in it");
-    }
-    fail(file, "a bag of ROS 2 (sqlite3)", kTurnBag);
+    fail(file, "a map", "give the recording, and this map with --map to go on in it");
   }
   if (head.size() > kTarMarkAt && head.compare(kTarMarkAt, 5, "ustar") == 0) {
     fail(file, "a tar archive",

@@ -4,7 +4,7 @@
 
 namespace wardslam::sources {
 
-/// Throws core::InputError where the first bytes tell that the file is no rawlog but an archive, a bag, a video, …:
+/// Throws core::InputError where the first bytes tell that the file is no rawlog but an archive, a map, a video, …:
 /// what it is, and what to do with it.
 void refuseForeignInput(const std::filesystem::path& file);
 

@@ -8,6 +8,7 @@
 
 #include "wardslam/core/depth_noise.h"
 #include "wardslam/core/event_counts.h"
+#include "wardslam/sources/bag_topics.h"
 #include "wardslam/sources/sensor_counts.h"
 #include "wardslam/sources/stereo_options.h"
 
@@ -53,11 +54,13 @@ struct SourceOptions {
   NoteSink note = [](const std::string&) {};
   std::optional<double> depth_units_per_m = {};  ///< Replaces the unit that the recording or its camera file tells.
   std::string sensor = {};                       ///< Label of the sensor in a rawlog; empty: the first.
+  BagTopics topics = {};                         ///< Of a recording of ROS.
 };
 
-/// Opens a TUM folder or a .rawlog file, told apart by what the path is (other files are named by their first bytes),
-/// and decodes images ahead in a thread of its own. Throws core::InputError. MRPT resolves external images of a rawlog
-/// through one process-wide folder, which this sets: only one rawlog with external images can be open at a time.
+/// Opens a TUM folder, a .rawlog file or a recording of ROS (bags::isBag()), told apart by what the path is (other
+/// files are named by their first bytes), and decodes images ahead in a thread of its own. Throws core::InputError.
+/// MRPT resolves external images of a rawlog through one process-wide folder, which this sets: only one rawlog with
+/// external images can be open at a time.
 [[nodiscard]] std::unique_ptr<ObservationSource> openSource(const std::filesystem::path& input,
                                                             const SourceOptions& options);
 
