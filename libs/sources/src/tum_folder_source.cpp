@@ -59,12 +59,18 @@ cv::Mat inUnits(const cv::Mat& depth, double unitsPerMetre) {
   return units;
 }
 
+/// Without images nobody need look for a camera.
+FolderCamera cameraOf(const fs::path& folder, const SourceOptions& options) {
+  requireImages(folder);
+  return chooseFolderCamera(folder, options);
+}
+
 }  // namespace
 
 TumFolderSource::TumFolderSource(const fs::path& folder, const SourceOptions& options)
     : folder_(folder),
       note_(options.note),
-      camera_(chooseFolderCamera(folder, options)),
+      camera_(cameraOf(folder, options)),
       pairs_(listImagePairs(folder, {camera_.camera.rate_hz, options.note})),
       damage_(std::make_unique<DamageLog>(options.warn)) {
   allowOpenExr(pairs_);

@@ -207,6 +207,15 @@ std::vector<ImagePair> pairsFromFolders(const fs::path& colorFolder, const fs::p
 
 }  // namespace
 
+void requireImages(const fs::path& folder) {
+  if (firstThere(folder, kAssociationLists) || firstThere(folder, kColorLists) || firstThere(folder, kDepthLists))
+    return;
+  if (firstThere(folder, kColorFolders) && firstThere(folder, kDepthFolders)) return;
+  throw core::InputError(
+      folder.string() + ": there are neither lists of images (rgb.txt and depth.txt, or " +
+      "associations.txt) nor folders of them (rgb and depth); is this the folder of a TUM sequence?");
+}
+
 std::vector<ImagePair> listImagePairs(const fs::path& folder, const ListReading& reading) {
   const auto associations = firstThere(folder, kAssociationLists);
   const auto colorList = firstThere(folder, kColorLists);

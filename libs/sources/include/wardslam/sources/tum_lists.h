@@ -28,6 +28,9 @@ struct ListReading {
   std::function<void(const std::string&)> note = [](const std::string&) {};  ///< Hears what had to be assumed.
 };
 
+/// Throws core::InputError where a folder has neither lists of images nor folders of them, as the TUM benchmark has.
+void requireImages(const std::filesystem::path& folder);
+
 /// The image pairs of a folder in the layout of the TUM benchmark, in order of the colour stamps: those of
 /// associations.txt (or associate.txt, …; "<stamp> <file> <stamp> <file>", colour or depth first) where it exists, else
 /// rgb.txt and depth.txt (or color.txt, aligned_depth.txt, …) associated by time, else the files of rgb/ and depth/
