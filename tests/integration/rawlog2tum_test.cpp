@@ -56,8 +56,8 @@ TEST_F(Rawlog2Tum, GivesBackImagesStampsAndTruth) {
   const test::TumFolder sequence(3);
   sequence.write("groundtruth.txt", "# truth\n100.0000 1 2 3 0 0 0 1\n");
   cv::Mat noise(test::TumFolder::kHeight_px, test::TumFolder::kWidth_px, CV_16UC1);
-  cv::randu(noise, 0, 65536);  // every digit of the depth counts, 0 and 65535 as well
-  noise.at<std::uint16_t>(0, 0) = 65535;
+  cv::randu(noise, 0, 65535);  // every digit of the depth counts, 0 as well; 65535 is no measurement
+  noise.at<std::uint16_t>(0, 0) = 65534;
   sequence.writeImage(test::TumFolder::depthFile(1), noise);
   convertThere(sequence.path(), rawlog);
   const auto result = convertBack(rawlog, back);

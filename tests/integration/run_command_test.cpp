@@ -382,7 +382,7 @@ TEST_F(RunCommand, AnInputThatIsNoRecording) {
   expectError(run(folder.write("letter.rawlog", "Dear Sir or Madam\n")), 1, "letter.rawlog: is empty or not a rawlog");
   expectError(run(folder.write("empty.rawlog", "")), 1, "empty.rawlog: is empty or not a rawlog");
   fs::create_directory(folder.path() / "void");
-  expectError(run(folder.path() / "void"), 1, "rgb.txt: cannot be opened");
+  expectError(run(folder.path() / "void"), 1, "void: there are neither lists of images (rgb.txt");
 }
 
 TEST_F(RunCommand, AMisspeltKey) {
