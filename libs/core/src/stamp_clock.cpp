@@ -85,7 +85,8 @@ std::optional<double> StampClock::seconds(std::string_view word) const {
   const auto units = static_cast<std::int64_t>(perSecond(unit_, rate_hz_));
   const double fraction =
       (static_cast<double>(count % units) + (*number - std::floor(*number))) / static_cast<double>(units);
-  return static_cast<double>(count / units) + fraction;
+  const std::int64_t wholeSeconds = count / units;
+  return static_cast<double>(wholeSeconds) + fraction;
 }
 
 std::string StampClock::sentencePart() const {
