@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include "sources/bag_edge.h"
 #include "support/complaint.h"
 
 namespace wardslam::sources {
 namespace {
 
+using test::edge;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -16,14 +18,6 @@ bags::CameraInfo info(double focal_px) {
   info.height_px = 480;
   info.k = {focal_px, 0, 320, 0, focal_px, 240, 0, 0, 1};
   return info;
-}
-
-bags::Transform edge(const std::string& parent, const std::string& child, double x_m) {
-  bags::Transform transform;
-  transform.header.frame = parent;
-  transform.child = child;
-  transform.T_parent_child.translation().x() = x_m;
-  return transform;
 }
 
 class BagRigTest : public ::testing::Test {

@@ -2,16 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "sources/bag_edge.h"
+
 namespace wardslam::sources {
 namespace {
 
-bags::Transform edge(const std::string& parent, const std::string& child, double x_m) {
-  bags::Transform transform;
-  transform.header.frame = parent;
-  transform.child = child;
-  transform.T_parent_child.translation().x() = x_m;
-  return transform;
-}
+using test::edge;
 
 class BagTransformsTest : public ::testing::Test {
  protected:

@@ -98,4 +98,11 @@ double depthFactorIn(const ConfigNode& root) {
   return number < 1.0 ? 1.0 / number : number;
 }
 
+void setPinhole(core::CameraModel& camera, const core::ConfigNode& section) {
+  camera.fx_px = numberAt(section, "fx");
+  camera.fy_px = numberAt(section, "fy");
+  camera.cx_px = numberAt(section, "cx");
+  camera.cy_px = numberAt(section, "cy");
+}
+
 }  // namespace wardslam::sources

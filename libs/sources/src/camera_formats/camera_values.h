@@ -33,4 +33,7 @@ void requirePlumbBob(const core::ConfigNode& model);
 /// 1 is taken for metres per unit. 0: nothing.
 [[nodiscard]] double depthFactorIn(const core::ConfigNode& root);
 
+/// From fx, fy, cx and cy of a section; they must be there.
+void setPinhole(core::CameraModel& camera, const core::ConfigNode& section);
+
 }  // namespace wardslam::sources

@@ -11,10 +11,7 @@ std::optional<RgbdCamera> readNiceSlamCamera(const core::ConfigNode& root) {
   RgbdCamera camera;
   camera.color.width_px = static_cast<int>(numberAt(section, "W"));
   camera.color.height_px = static_cast<int>(numberAt(section, "H"));
-  camera.color.fx_px = numberAt(section, "fx");
-  camera.color.fy_px = numberAt(section, "fy");
-  camera.color.cx_px = numberAt(section, "cx");
-  camera.color.cy_px = numberAt(section, "cy");
+  setPinhole(camera.color, section);
   const auto lens = section.child("distortion");
   if (lens.exists()) setPlumbBob(camera.color, numbersAt(lens, 0), lens);
   return camera;

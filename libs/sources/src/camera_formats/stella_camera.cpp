@@ -12,10 +12,7 @@ std::optional<RgbdCamera> readStellaCamera(const core::ConfigNode& root) {
   RgbdCamera camera;
   camera.color.width_px = static_cast<int>(numberAt(section, "cols"));
   camera.color.height_px = static_cast<int>(numberAt(section, "rows"));
-  camera.color.fx_px = numberAt(section, "fx");
-  camera.color.fy_px = numberAt(section, "fy");
-  camera.color.cx_px = numberAt(section, "cx");
-  camera.color.cy_px = numberAt(section, "cy");
+  setPinhole(camera.color, section);
   camera.color.k1 = numberAt(section, "k1", 0.0);
   camera.color.k2 = numberAt(section, "k2", 0.0);
   camera.color.p1 = numberAt(section, "p1", 0.0);
