@@ -39,6 +39,15 @@ TEST(KeyframeGraph, PlacesAKeyframeWhereThePreviousIsNow) {
   EXPECT_TRUE(graph.points().at(2).point.p_map_m.isApprox(p_cam_m + Eigen::Vector3d(10, 0, 1)));
 }
 
+TEST(KeyframeGraph, PlacesAKeyframeAsToldWhereNobodyMeasuredTheWayToIt) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1}));
+  auto next = handMadeKeyframe(2, {2});
+  next->T_map_cam = makePose({20, 0, 0});
+  graph.insert(next);
+  EXPECT_TRUE(graph.keyframes().at(2).T_map_cam.isApprox(makePose({20, 0, 0})));
+}
+
 TEST(KeyframeGraph, MakesNoPointWithoutDepth) {
   KeyframeGraph graph;
   graph.insert(handMadeKeyframe(1, {1}));

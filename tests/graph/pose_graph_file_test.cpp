@@ -28,7 +28,8 @@ SavedGraph makeGraph() {
   SavedGraph graph;
   for (KeyframeId id = 1; id <= 4; ++id) {
     const auto keyframe = makeKeyframe(id);
-    if (id > 1) keyframe->T_previous_cam.translation() = Eigen::Vector3d(0.4, 0.1, 0.01 * static_cast<double>(id));
+    if (id > 1)
+      keyframe->T_previous_cam = Eigen::Isometry3d(Eigen::Translation3d(0.4, 0.1, 0.01 * static_cast<double>(id)));
     keyframe->submap = id == 4 ? 7 : 0;
     graph.keyframes.push_back(keyframe);
   }
@@ -69,7 +70,7 @@ TEST(PoseGraphFile, EdgesAreReadByMrptAsTheyWereMeant) {
   // From one to the next: what tracking measured, which is not where they stand.
   ASSERT_EQ(read.edges.count({2, 3}), 1U);
   const auto& step = read.edges.find({2, 3})->second;
-  EXPECT_TRUE(core::fromMrpt(step.mean).isApprox(graph.keyframes[2]->T_previous_cam, 1e-5));
+  EXPECT_TRUE(core::fromMrpt(step.mean).isApprox(*graph.keyframes[2]->T_previous_cam, 1e-5));
 }
 
 TEST(PoseGraphFile, OfEdgesWithTheSameEndsALoopIsWritten) {

@@ -53,7 +53,7 @@ class SyntheticWalk {
     keyframe->stamp_s = static_cast<double>(keyframe->id);
     if (!startsSubmap_) {
       keyframe->T_previous_cam = truth_.rbegin()->second.inverse() * T_world_cam * slip;
-      keyframe->T_map_cam = T_map_cam_ * keyframe->T_previous_cam;
+      keyframe->T_map_cam = T_map_cam_ * *keyframe->T_previous_cam;
     }
     startsSubmap_ = false;
     T_map_cam_ = keyframe->T_map_cam;

@@ -105,7 +105,8 @@ class EqualRooms : public ::testing::Test {
   static constexpr int kOut = 25;
   static constexpr double kStep_m = 4.0;
 
-  void insert(Mapper& mapper, std::shared_ptr<odometry::Keyframe> keyframe, const Eigen::Isometry3d& T_previous_cam) {
+  void insert(Mapper& mapper, std::shared_ptr<odometry::Keyframe> keyframe,
+              const std::optional<Eigen::Isometry3d>& T_previous_cam) {
     keyframe->id = ++lastId_;
     keyframe->T_previous_cam = T_previous_cam;
     mapper.insert(keyframe);

@@ -132,5 +132,16 @@ TEST_F(ObjectDatabaseTest, DoesNotTakeAThingFarOffForTheOneInSomebodysHands) {
   EXPECT_EQ(record(id).viewsToRest, 0);
 }
 
+TEST_F(ObjectDatabaseTest, AThingThatThisRunHasNotSeenIsInNobodysHands) {
+  ObjectRecord known;
+  known.votes[kChair] = 4;
+  known.views = 5;
+  known.lastSeen_s = stamp_s_ + 1;  // by the clock of an earlier run
+  database_.restore(7, known);
+  database_.noteHandled(kChair, {0.5F, 0, 0}, stamp_s_);
+  see(evidence(kCouch));
+  EXPECT_EQ(record(7).viewsToRest, 0);
+}
+
 }  // namespace
 }  // namespace wardslam::mapping

@@ -43,8 +43,6 @@ class IdentityTest : public testing::Test {
     odometry::Keyframe keyframe;
     keyframe.id = ++keyframe_;
     keyframe.T_map_cam = T_map_cam;
-    keyframe.T_previous_cam = T_map_last_.inverse() * T_map_cam;
-    T_map_last_ = T_map_cam;
     keyframe.stamp_s = stamp_s_;
     builder_.addKeyframe(keyframe);
     things.push_back({box({x_m + 3.05, 0, 1}, {0.1, 6, 4}), 0, 0, {200, 190, 180}});
@@ -59,15 +57,15 @@ class IdentityTest : public testing::Test {
   /// As the next run begins it.
   void restart() {
     const SemanticMap map = builder_.map();
+    const MapMemory memory = builder_.memory({});
     builder_ = MapBuilder(options(), setting());
-    builder_.restore(map);
+    builder_.restore(map, memory);
   }
 
   std::map<ObjectId, MapObject> objects() { return builder_.map().objects; }
 
   MapBuilder builder_{options(), setting()};
   odometry::KeyframeId keyframe_ = 0;
-  Eigen::Isometry3d T_map_last_ = Eigen::Isometry3d::Identity();
   double stamp_s_ = 1000.0;
 };
 
@@ -88,6 +86,21 @@ TEST_F(IdentityTest, AThingThatStoodElsewhereAllTheTimeKeepsItsName) {
     EXPECT_THAT(found.at(1), IsAt(2, ObjectState::Gone)) << isAnotherRun;
     EXPECT_THAT(found.at(2), IsAt(22, ObjectState::Static)) << isAnotherRun;
   }
+}
+
+TEST_F(IdentityTest, AClockThatGoesBackBetweenRunsMakesNothingThatWasKnownNew) {
+  look(0, {thing(0, -0.8, 1)});
+  pass(60);
+  look(0, {thing(0, -0.8, 1), thing(0, 0.8, 2)});
+  ASSERT_EQ(objects().size(), 2U);
+  restart();
+  pass(-70);
+  look(0, {thing(0, -0.8, 1), thing(0, 0.8, 2)}, 1);
+  look(0, {thing(0, 0.8, 2)}, 15);
+  const auto found = objects();
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found.at(1).state, ObjectState::Gone);
+  EXPECT_EQ(found.at(2).state, ObjectState::Static);
 }
 
 TEST_F(IdentityTest, WhatNobodyCanMoveNeverMoves) {

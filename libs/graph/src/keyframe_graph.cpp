@@ -16,8 +16,9 @@ core::Keypoint withDepthOf(const Eigen::Vector3d& p_map_m, core::Keypoint keypoi
 
 void KeyframeGraph::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
   const auto previous = keyframes_.find(keyframe->id - 1);
-  const bool follows = previous != keyframes_.end() && previous->second.submap == currentSubmapOf(*keyframe);
-  insertAt(keyframe, follows ? previous->second.T_map_cam * keyframe->T_previous_cam : keyframe->T_map_cam, {});
+  const bool follows =
+      keyframe->T_previous_cam && previous != keyframes_.end() && previous->second.submap == currentSubmapOf(*keyframe);
+  insertAt(keyframe, follows ? previous->second.T_map_cam * *keyframe->T_previous_cam : keyframe->T_map_cam, {});
 }
 
 void KeyframeGraph::restore(const std::shared_ptr<const odometry::Keyframe>& keyframe,

@@ -14,8 +14,9 @@ namespace {
 /// What tracking measured, from one keyframe to the next.
 void setOdometry(PoseGraph& poses, const SavedGraph& graph) {
   for (const auto& keyframe : graph.keyframes) {
+    if (!keyframe->T_previous_cam) continue;
     const auto edge = poses.edges.find({keyframe->id - 1, keyframe->id});
-    if (edge != poses.edges.end()) edge->second.mean = core::toMrpt(keyframe->T_previous_cam);
+    if (edge != poses.edges.end()) edge->second.mean = core::toMrpt(*keyframe->T_previous_cam);
   }
 }
 

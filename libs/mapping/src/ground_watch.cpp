@@ -38,11 +38,11 @@ void GroundWatch::follow(const Eigen::Isometry3d& correction) {
 
 /// Tracked without a gap, one keyframe is known from the other; else what was known of the ground is not.
 void GroundWatch::carryTo(const odometry::Keyframe& keyframe) {
-  if (keyframe.submap != submap_) last_.reset();
+  if (keyframe.submap != submap_ || !keyframe.T_previous_cam) last_.reset();
   submap_ = keyframe.submap;
   if (!last_) return;
-  last_ = last_->seenFrom(keyframe.T_previous_cam.inverse());
-  way_m_ += keyframe.T_previous_cam.translation().norm();
+  last_ = last_->seenFrom(keyframe.T_previous_cam->inverse());
+  way_m_ += keyframe.T_previous_cam->translation().norm();
 }
 
 }  // namespace wardslam::mapping

@@ -135,8 +135,8 @@ void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
 /// As the keyframe graph places it: by the one before, where the map has that in the same frame.
 Eigen::Isometry3d MapBuilder::Impl::placeOf(const odometry::Keyframe& keyframe, std::uint32_t piece) const {
   const auto previous = keyframes_.find(keyframe.id - 1);
-  const bool follows = previous != keyframes_.end() && previous->second.piece == piece;
-  return follows ? previous->second.T_map_cam * keyframe.T_previous_cam : keyframe.T_map_cam;
+  const bool follows = keyframe.T_previous_cam && previous != keyframes_.end() && previous->second.piece == piece;
+  return follows ? previous->second.T_map_cam * *keyframe.T_previous_cam : keyframe.T_map_cam;
 }
 
 void MapBuilder::Impl::apply(const odometry::MapUpdate& update) {

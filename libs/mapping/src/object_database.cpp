@@ -95,6 +95,7 @@ std::vector<ObjectId> ObjectDatabase::observe(const std::vector<Evidence>& detec
     if (assigned[i] == 0) {
       assigned[i] = nextId++;
       objects_[assigned[i]].firstSeen_s = stamp_s;
+      objects_[assigned[i]].thisRun.isNew = true;
       objects_[assigned[i]].placeWasEmpty = detections[i].placeWasEmpty;
     }
     objects_.at(assigned[i]).votes[detections[i].classId] += detections[i].confidence;
@@ -105,6 +106,7 @@ std::vector<ObjectId> ObjectDatabase::observe(const std::vector<Evidence>& detec
     ObjectRecord& object = objects_.at(id);
     ++object.views;
     object.lastSeen_s = stamp_s;
+    object.thisRun.isSeen = true;
     object.erased = 0;
     object.missed = 0;
     object.viewsToRest = std::max(0, object.viewsToRest - 1);
@@ -131,11 +133,13 @@ void ObjectDatabase::markHandled(double stamp_s) {
   const auto isOld = [&](const Handling& h) { return stamp_s - h.stamp_s > kHandling_s; };
   handlings_.erase(std::remove_if(handlings_.begin(), handlings_.end(), isOld), handlings_.end());
   for (auto& [id, object] : objects_) {
-    if (stamp_s - object.lastSeen_s > kHandling_s) continue;
+    if (!object.thisRun.isSeen || stamp_s - object.lastSeen_s > kHandling_s) continue;
     for (const Handling& handling : handlings_) {
-      const bool isIt = handling.classId == object.classId() && handling.stamp_s > object.handled_s &&
+      const bool isNews = !object.thisRun.isLost || handling.stamp_s > object.handled_s;
+      const bool isIt = isNews && handling.classId == object.classId() &&
                         (handling.place_m - object.lastPlace_m).norm() < kHandling_m;
       if (!isIt) continue;
+      object.thisRun.isLost = true;
       object.handled_s = handling.stamp_s;
       object.viewsToRest = kViewsToRest;
     }
@@ -193,6 +197,8 @@ void ObjectDatabase::merge(ObjectId from, ObjectId into) {
   object.firstSeen_s = std::min(object.firstSeen_s, gone->second.firstSeen_s);
   object.lastSeen_s = std::max(object.lastSeen_s, gone->second.lastSeen_s);
   object.missed = std::min(object.missed, gone->second.missed);
+  object.thisRun.isNew = object.thisRun.isNew && gone->second.thisRun.isNew;
+  object.thisRun.isSeen = object.thisRun.isSeen || gone->second.thisRun.isSeen;
   objects_.erase(gone);
   std::map<std::pair<ObjectId, ObjectId>, PairMemory> relations;
   for (const auto& [pair, relation] : relations_) {
@@ -215,6 +221,7 @@ std::vector<ObjectId> ObjectDatabase::erase(const std::map<ObjectId, std::size_t
     object->second.erased += count;
     if (static_cast<double>(object->second.erased) < kGoneRatio * static_cast<double>(countOf(left, id))) continue;
     object->second.state = ObjectState::Gone;
+    object->second.thisRun.isLost = true;
     object->second.gone_s = stamp_s;
     gone.push_back(id);
   }

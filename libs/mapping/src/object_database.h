@@ -27,6 +27,15 @@ struct Evidence {
 struct ObjectRecord : ObjectMemory {
   static constexpr int kConvincingMisses = 5;
 
+  /// Of the run under way, as against those whose map it goes on with: clocks of two runs need not agree.
+  struct ThisRun {
+    bool isNew = false;   ///< Nobody knew of it before.
+    bool isSeen = false;  ///< It was seen.
+    bool isLost = false;  ///< It was found to be gone, or in somebody's hands.
+  };
+
+  ThisRun thisRun;
+
   ObjectRecord() = default;
   explicit ObjectRecord(const ObjectMemory& memory) : ObjectMemory(memory) {}
 

@@ -56,6 +56,11 @@ double lossKnown_s(const ObjectRecord& record) {
   return record.state == ObjectState::Gone ? record.gone_s : record.handled_s;
 }
 
+/// What was known before this run is nothing that this run lost, whatever the clocks say.
+bool isTooOld(const ObjectRecord& lost, const ObjectRecord& found) {
+  return lost.thisRun.isLost && !found.thisRun.isNew;
+}
+
 /// How well the two fit together; 0 where they cannot be one thing.
 double fit(const MapObject& lost, const MapObject& found, const ObjectOptions& options) {
   const double time_s = found.firstSeen_s - lost.lastSeen_s;
@@ -101,7 +106,7 @@ std::vector<Reappearance> reappearances(const ObjectTable& table, const ObjectDa
     for (const auto& [foundId, found] : table.rows()) {
       const auto foundRecord = database.objects().find(foundId);
       if (foundId == lostId || found.classId != lost.classId || found.state == ObjectState::Gone) continue;
-      if (foundRecord == database.objects().end()) continue;
+      if (foundRecord == database.objects().end() || isTooOld(lostRecord->second, foundRecord->second)) continue;
       double weight = fit(lost, found, options);
       if (weight <= 0) continue;
       const bool witnessed = isWitnessed(lost, lostRecord->second, found, foundRecord->second);

@@ -134,8 +134,8 @@ void writeViews(SQLite::Database& database, const MapChanges& changes) {
     if (view->depth) (ParameterBinder(depth) << view->id << encodeDepthView(*view->depth)).run();
     const Eigen::Isometry3d T_map_cam = poseOf(database, view->id);
     for (const auto& sighting : view->sightings) sightings.write(*view, T_map_cam, sighting);
-    if (isKnown(database, view->id - 1, view->submap)) {
-      writeEdge(database, "odometry", {view->id - 1, view->id, view->T_previous_cam});
+    if (view->T_previous_cam && isKnown(database, view->id - 1, view->submap)) {
+      writeEdge(database, "odometry", {view->id - 1, view->id, *view->T_previous_cam});
     }
   }
 }

@@ -29,8 +29,9 @@ struct Keyframe {
   double stamp_s = 0.0;
   core::CameraModel camera;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
-  /// From the keyframe before, of the same submap; corrections of the map leave it as it is. Identity for the first.
-  Eigen::Isometry3d T_previous_cam = Eigen::Isometry3d::Identity();
+  /// From the keyframe before, of the same submap; corrections of the map leave it as it is. Nothing for the first, and
+  /// where nobody measured it: then T_map_cam alone tells.
+  std::optional<Eigen::Isometry3d> T_previous_cam = std::nullopt;
   core::Features features;  ///< Static ones only.
   std::vector<Sighting> sightings;
   std::shared_ptr<const DepthView> depth = nullptr;  ///< Null: not known, as of maps that older versions wrote.
