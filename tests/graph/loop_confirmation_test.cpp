@@ -173,6 +173,23 @@ TEST_F(JoinConfirmationTest, OneOfTwoPlacesThatLookAlikeIsNotChosen) {
   EXPECT_THAT(settle(), IsEmpty());
 }
 
+TEST_F(JoinConfirmationTest, ThePlaceSeenLessExactlyFromAfarIsNoRival) {
+  EXPECT_THAT(see(15, {loop(1, 15, 0.4)}), IsEmpty());
+  EXPECT_THAT(see(20, {strongLoop(6, 20)}), SizeIs(1));
+}
+
+TEST_F(JoinConfirmationTest, APlaceAMetreBesideItIs) {
+  EXPECT_THAT(see(15, {loop(1, 15, 1.0)}), IsEmpty());
+  EXPECT_THAT(see(20, {strongLoop(6, 20)}), IsEmpty());
+}
+
+TEST_F(LoopConfirmationTest, ThePlaceSeenLessExactlyIsNoRivalOfALoopEither) {
+  confirmation_ = LoopConfirmation(options_);
+  EXPECT_THAT(see(15, {loop(1, 15), loop(1, 15, 0.4)}), IsEmpty());
+  EXPECT_THAT(see(16, {loop(2, 16), loop(2, 16, 0.4)}), IsEmpty());
+  EXPECT_THAT(see(17, {loop(3, 17)}), SizeIs(3));
+}
+
 /// As above, with a second between keyframes and `unseen_s` before the other piece.
 KeyframeGraph lostFor(double unseen_s) {
   KeyframeGraph lost;

@@ -120,6 +120,17 @@ TEST_F(OdometryTest, FindsItselfNoFartherAwayThanItCanHaveGone) {
   EXPECT_LT(distance_m(later.T_map_cam, truth(4)), 0.01);
 }
 
+TEST_F(OdometryTest, LeavesAFarPlaceToTheMapHoweverLongItWasLost) {
+  OdometryOptions near = options();
+  near.relocalisation.max_way_m = 0.3;  // rooms that look the same are farther apart in a hospital
+  odometry_ = Odometry(near);
+  for (int image = 0; image < kImages; ++image) trackImage(image);
+  track({});
+  stamp_s_ += 60.0;
+  EXPECT_EQ(trackImage(4).state, State::Lost);
+  EXPECT_EQ(trackImage(kImages - 2).state, State::Ok);
+}
+
 TEST_F(OdometryTest, DoesNotChooseBetweenTwoPlacesThatItSeesAtOnce) {
   for (int image = 0; image < kImages; ++image) trackImage(image);
   track({});

@@ -14,6 +14,8 @@ constexpr double kLeastRow_m = 16.0;    // and of those the camera sees no more 
 constexpr double kMostRoom_m = 8.0;     // and larger is hardly one that looks the same all over
 constexpr std::size_t kMostUnsettled = 200;
 constexpr double kDisagreementPerMetre = 0.03;  // the camera goes on between two looks, and drifts
+constexpr double kOnePlace_m = 0.5;             // a look from afar is not exact, and what only looks the same
+constexpr double kOnePlace_rad = 0.15;          // is farther off than this
 
 /// Where the newer keyframe stands by the loop, in the older one's map frame.
 Eigen::Isometry3d T_map_newer(const KeyframeGraph& graph, const Loop& loop) {
@@ -28,6 +30,24 @@ bool joins(const KeyframeGraph& graph, const Loop& loop) {
 
 bool areOfSamePieces(const KeyframeGraph& graph, const Loop& a, const Loop& b) {
   return pieceOf(graph, a.older) == pieceOf(graph, b.older) && pieceOf(graph, a.newer) == pieceOf(graph, b.newer);
+}
+
+/// As the camera was tracked from one newer keyframe to the other.
+Eigen::Isometry3d wayBetween(const KeyframeGraph& graph, const Loop& a, const Loop& b) {
+  return graph.keyframes().at(a.newer).T_map_cam.inverse() * graph.keyframes().at(b.newer).T_map_cam;
+}
+
+/// By how much the two differ in where the newer keyframe of the second stands, for looks between the same pieces.
+Eigen::Isometry3d differenceOf(const KeyframeGraph& graph, const Loop& a, const Loop& b) {
+  const Eigen::Isometry3d byLoops = T_map_newer(graph, a).inverse() * T_map_newer(graph, b);
+  return wayBetween(graph, a, b).inverse() * byLoops;
+}
+
+bool areOfOnePlace(const KeyframeGraph& graph, const Loop& a, const Loop& b) {
+  if (!areOfSamePieces(graph, a, b)) return false;
+  const Eigen::Isometry3d difference = differenceOf(graph, a, b);
+  return difference.translation().norm() < kOnePlace_m &&
+         Eigen::AngleAxisd(difference.linear()).angle() < kOnePlace_rad;
 }
 
 std::pair<std::size_t, int> evidenceOf(const std::vector<Loop>& loops) {
@@ -155,12 +175,9 @@ void LoopConfirmation::apply(const odometry::RemovedKeyframe& removed) {
 
 bool LoopConfirmation::agree(const KeyframeGraph& graph, const Loop& a, const Loop& b) const {
   if (!areOfSamePieces(graph, a, b)) return false;
-  const Eigen::Isometry3d byLoops = T_map_newer(graph, a).inverse() * T_map_newer(graph, b);
-  const Eigen::Isometry3d byWay =
-      graph.keyframes().at(a.newer).T_map_cam.inverse() * graph.keyframes().at(b.newer).T_map_cam;
-  const Eigen::Isometry3d difference = byWay.inverse() * byLoops;
-  return difference.translation().norm() <
-             options_.max_disagreement_m + kDisagreementPerMetre * byWay.translation().norm() &&
+  const Eigen::Isometry3d difference = differenceOf(graph, a, b);
+  const double way_m = wayBetween(graph, a, b).translation().norm();
+  return difference.translation().norm() < options_.max_disagreement_m + kDisagreementPerMetre * way_m &&
          Eigen::AngleAxisd(difference.linear()).angle() < options_.max_disagreement_rad;
 }
 
@@ -203,14 +220,14 @@ bool LoopConfirmation::isAllOver(const Loop& loop) const {
 }
 
 /// A rival with half as many witnesses says that this place looks like another: then only going on tells. Between
-/// pieces no rival is ever too old.
+/// pieces no rival is ever too old. The same place, seen less exactly, is none.
 bool LoopConfirmation::hasRival(const KeyframeGraph& graph, const Hypothesis& hypothesis) const {
   const auto isRival = [&](const Hypothesis& other) {
-    return &other != &hypothesis && !other.empty() && 2 * other.size() >= hypothesis.size();
+    return &other != &hypothesis && !other.empty() && 2 * other.size() >= hypothesis.size() &&
+           !areOfOnePlace(graph, other.back(), hypothesis.back());
   };
   const auto isRivalJoin = [&](const Hypothesis& other) {
-    return isRival(other) && areOfSamePieces(graph, other.back(), hypothesis.back()) &&
-           !agree(graph, other.back(), hypothesis.back());
+    return isRival(other) && areOfSamePieces(graph, other.back(), hypothesis.back());
   };
   if (std::any_of(hypotheses_.begin(), hypotheses_.end(), isRival)) return true;
   return joins(graph, hypothesis.back()) && std::any_of(unsettled_.begin(), unsettled_.end(), isRivalJoin);

@@ -153,12 +153,12 @@ Tracking Odometry::Tracker::find(const TrackedImage& view) const {
   return tracking;
 }
 
-/// Who was carried farther begins a piece of its own, and the map asks for more before it believes that.
+/// Who went farther begins a piece of its own, and the map asks for more before it believes that.
 bool Odometry::Tracker::isWithinReach(const TrackedImage& view, const Tracking& tracking) const {
   const RelocalisationOptions& options = options_.relocalisation;
   const double way_m = (tracking.T_cam_map.inverse().translation() - T_cam_map_.inverse().translation()).norm();
   const double since_s = std::max(0.0, view.stamp_s - lastTracked_s_);
-  return way_m <= options.margin_m + options.max_speed_mps * since_s;
+  return way_m <= std::min(options.max_way_m, options.margin_m + options.max_speed_mps * since_s);
 }
 
 OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Tracking& tracking) {

@@ -73,6 +73,7 @@ struct RelocalisationOptions {
   double max_rival = 0.5;
   double max_speed_mps = 2.0;
   double margin_m = 0.5;
+  double max_way_m = 4.0;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -84,6 +85,8 @@ struct RelocalisationOptions {
           "of the points found, what may say that the camera is somewhere else");
     visit("max_speed_mps", self.max_speed_mps, {0.01, 100.0}, "m/s", "that the camera can have gone with since");
     visit("margin_m", self.margin_m, {0.0, 100.0}, "m", "besides: tracking had drifted when it was lost");
+    visit("max_way_m", self.max_way_m, {0.0, 1000.0}, "m",
+          "however long it is: farther off, another room may look the same, and the map asks for more");
   }
 };
 
