@@ -1,11 +1,14 @@
 #include "map_export_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "stored_map.h"
 #include "support/program.h"
@@ -27,6 +30,7 @@ using mapping::SemanticMap;
 struct Source {
   Path file;
   Path poses;  ///< A `.graph` with other poses of the keyframes; empty = the map's own.
+  mrpt_plugin::MetricMapChoice choice;
   SemanticMap map;
 };
 
@@ -43,7 +47,9 @@ void writeMap(const Source& source, const Path& file) {
 
 void writeOctomap(const Source& source, const Path& file) { exchange::exportOctomap(source.map, file); }
 
-void writeMetricMaps(const Source& source, const Path& file) { mrpt_plugin::exportMetricMaps(source.map, file); }
+void writeMetricMaps(const Source& source, const Path& file) {
+  mrpt_plugin::exportMetricMaps(source.map, file, source.choice);
+}
 
 void writeGraph(const Source& source, const Path& file) {
   graph::writePoseGraph(pipeline::readEarlierMap(source.file).graph, file);
@@ -80,15 +86,41 @@ constexpr std::array<Format, 12> kFormats = {{
     {"--csv", "the objects, one per line", writeMap<exchange::exportCsv>},
 }};
 
+/// What `--maps` may name.
+constexpr std::array<std::pair<const char*, bool mrpt_plugin::MetricMapChoice::*>, 5> kMetricMaps = {{
+    {"semantic", &mrpt_plugin::MetricMapChoice::semantic},
+    {"points", &mrpt_plugin::MetricMapChoice::points},
+    {"grid", &mrpt_plugin::MetricMapChoice::grid},
+    {"octomap", &mrpt_plugin::MetricMapChoice::octoMap},
+    {"coloured_octomap", &mrpt_plugin::MetricMapChoice::colouredOctoMap},
+}};
+
 struct ExportArguments {
   Path map;
   Path poses;
+  std::vector<std::string> maps;
   std::array<Path, kFormats.size()> files;
 };
 
+/// The default, where none is named.
+mrpt_plugin::MetricMapChoice choiceOf(const std::vector<std::string>& maps) {
+  mrpt_plugin::MetricMapChoice choice;
+  if (maps.empty()) return choice;
+  for (const auto& [name, isWanted] : kMetricMaps)
+    choice.*isWanted = std::find(maps.begin(), maps.end(), name) != maps.end();
+  return choice;
+}
+
+std::vector<std::string> namesOfMetricMaps() {
+  std::vector<std::string> names;
+  for (const auto& [name, isWanted] : kMetricMaps) names.emplace_back(name);
+  return names;
+}
+
 void exportAll(const ExportArguments& arguments) {
   if (arguments.files == ExportArguments().files) throw UsageError("map export needs a format, such as --ply FILE");
-  const Source source{arguments.map, arguments.poses, readStoredMap(arguments.map, storage::CloudPart::Include)};
+  const Source source{arguments.map, arguments.poses, choiceOf(arguments.maps),
+                      readStoredMap(arguments.map, storage::CloudPart::Include)};
   for (std::size_t i = 0; i < kFormats.size(); ++i) {
     if (arguments.files.at(i).empty()) continue;
     kFormats.at(i).write(source, arguments.files.at(i));
@@ -107,6 +139,9 @@ void addMapExportCommand(CLI::App& mapCommand) {
   }
   command->add_option("--poses", arguments->poses, "for --trajectory: a graph that graph-slam has optimised, instead")
       ->type_name("F");
+  command->add_option("--maps", arguments->maps, "for --metric-maps: which of them; by default all but the last")
+      ->delimiter(',')
+      ->check(CLI::IsMember(namesOfMetricMaps()));
   command->callback([arguments] { exportAll(*arguments); });
 }
 

@@ -1,12 +1,16 @@
 #include "wardslam/exchange/metric_maps.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/maps/CColouredOctoMap.h>
 #include <mrpt/maps/CColouredPointsMap.h>
 #include <mrpt/maps/COctoMap.h>
 #include <octomap/OcTree.h>
 
+#include <cstdint>
+
 #include "octree.h"
 #include "support/hand_made_map.h"
+#include "wardslam/mapping/cloud_in_map.h"
 
 namespace wardslam::exchange {
 namespace {
@@ -28,6 +32,26 @@ TEST(MetricMaps, PointsHaveTheirPlacesAndColours) {
   EXPECT_NEAR(red * 255, 7, 0.01);
   EXPECT_NEAR(green * 255, 100, 0.01);
   EXPECT_NEAR(blue * 255, 200, 0.01);
+}
+
+TEST(MetricMaps, ColouredOctoMapHasTheColoursOfTheCloud) {
+  const auto ward = test::makeWard();
+  const auto octoMap = toColouredOctoMap(ward, 0.01);
+  int seen = 0;
+  mapping::forEachCloudPoint(ward, [&](const Eigen::Vector3f& p_m, const mapping::SemanticPoint& point) {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    double occupancy = 0.0;
+    ASSERT_TRUE(octoMap->getPointColour(p_m.x(), p_m.y(), p_m.z(), red, green, blue));
+    ASSERT_TRUE(octoMap->getPointOccupancy(p_m.x(), p_m.y(), p_m.z(), occupancy));
+    EXPECT_GT(occupancy, 0.5);
+    EXPECT_NEAR(red, point.color_rgb[0], 1);
+    EXPECT_EQ(green, 100);
+    EXPECT_EQ(blue, 200);
+    ++seen;
+  });
+  EXPECT_EQ(seen, 150);
 }
 
 TEST(MetricMaps, OctoMapSaysOfEveryVoxelWhatTheTreeSays) {

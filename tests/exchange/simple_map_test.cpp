@@ -73,7 +73,30 @@ TEST(SimpleMap, MakesAGridOfTheFloorPlan) {
   EXPECT_FLOAT_EQ(grid.getPos(-0.5F, 1.03F), 0.5F);  // free floor, but nothing stands behind it
 }
 
-/// MRPT 2.5's COctoMap does not ask where on the robot a 3D scan was taken.
+/// A camera on a robot looks down a little, and no mount is true.
+TEST(SimpleMap, MakesGridAndPointsHoweverTheCameraIsTilted) {
+  auto map = makeMapBeforeAWall();
+  auto& T_map_cam = map.keyframes[1].T_map_cam;
+  auto& point = map.cloud[1].points[0];
+  point.p_cam_m = {0.52F, 0.28F, 3.02F};  // within a cell
+  const Eigen::Vector3f p_map_m = T_map_cam.cast<float>() * point.p_cam_m;
+  T_map_cam.rotate(Eigen::AngleAxisd(0.35, Eigen::Vector3d(-0.9, 0.0, 0.4359).normalized()));  // down, and rolled
+  point.p_cam_m = T_map_cam.cast<float>().inverse() * p_map_m;
+  const auto simple = toSimpleMap(map);
+  mrpt::maps::COccupancyGridMap2D grid(-1.0F, 7.0F, -1.0F, 5.0F, 0.05F);
+  grid.loadFromSimpleMap(simple);
+  EXPECT_GT(grid.getPos(1.5F, 1.03F), 0.5F);        // free on the way
+  EXPECT_LT(grid.getPos(3.02F, 1.03F), 0.5F);       // the wall
+  EXPECT_FLOAT_EQ(grid.getPos(3.5F, 1.03F), 0.5F);  // behind it
+  mrpt::maps::COctoMap octoMap(0.05);
+  map.floorPlan = {};  // no ends of scans
+  octoMap.loadFromSimpleMap(toSimpleMap(map));
+  double occupancy = 0.0;
+  ASSERT_TRUE(octoMap.getPointOccupancy(p_map_m.x(), p_map_m.y(), p_map_m.z(), occupancy));
+  EXPECT_GT(occupancy, 0.5);
+}
+
+/// MRPT's COctoMap does not ask where on the robot a 3D scan was taken.
 TEST(SimpleMap, MakesAnOctoMapOfTheCloudWhereverTheCameraIs) {
   auto ward = test::makeWard();
   ward.floorPlan = {};

@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
+#include <mrpt/maps/COctoMap.h>
 
 #include "integration/cli_test_support.h"
 #include "support/hand_made_map.h"
 #include "support/temporary_folder.h"
 #include "wardslam/exchange/tum_trajectory.h"
+#include "wardslam/mrpt_plugin/multi_metric_map.h"
+#include "wardslam/mrpt_plugin/semantic_metric_map.h"
 #include "wardslam/storage/map_file.h"
 
 namespace wardslam::test {
@@ -34,6 +37,21 @@ TEST_F(MapExportCommandTest, WritesEveryFormatThatIsNamedAndNamesWhatItWrote) {
   }
   EXPECT_EQ(result.out, expected);
   EXPECT_TRUE(std::filesystem::exists(path("a.pgm")));
+}
+
+TEST_F(MapExportCommandTest, WritesTheMetricMapsThatAreChosen) {
+  const auto result = runProgram(
+      "wardslam", {"map", "export", map_, "--metric-maps", path("a.metricmap"), "--maps", "semantic,octomap"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const auto maps = mrpt_plugin::readMetricMaps(path("a.metricmap"));
+  ASSERT_EQ(maps.maps.size(), 2U);
+  EXPECT_TRUE(maps.mapByClass<mrpt_plugin::CSemanticMap>());
+  EXPECT_TRUE(maps.mapByClass<mrpt::maps::COctoMap>());
+  const auto wrong =
+      runProgram("wardslam", {"map", "export", map_, "--metric-maps", path("b.metricmap"), "--maps", "semantik"});
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("semantik"));
+  EXPECT_FALSE(std::filesystem::exists(path("b.metricmap")));
 }
 
 TEST_F(MapExportCommandTest, WritesWhatProgramsOfMrptGoOnWith) {

@@ -1,6 +1,7 @@
 #include "wardslam/mrpt_plugin/multi_metric_map.h"
 
 #include <gmock/gmock.h>
+#include <mrpt/maps/CColouredOctoMap.h>
 #include <mrpt/maps/CColouredPointsMap.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/maps/COctoMap.h>
@@ -28,8 +29,14 @@ TEST(MultiMetricMap, HoldsWhatIsChosen) {
   EXPECT_EQ(all.mapByClass<mrpt::maps::CColouredPointsMap>()->size(), 150U);
   EXPECT_LT(all.mapByClass<mrpt::maps::COccupancyGridMap2D>()->getPos(3.1F, 1.0F), 0.1F);  // the wall
   EXPECT_FALSE(all.mapByClass<mrpt::maps::COctoMap>()->isEmpty());
-  const auto semanticOnly = toMetricMaps(ward, {true, false, false, false});
+  const auto semanticOnly = toMetricMaps(ward, {true, false, false, false, false});
   EXPECT_THAT(semanticOnly.maps, SizeIs(1));
+  MetricMapChoice coloured;
+  coloured.octoMap = false;
+  coloured.colouredOctoMap = true;
+  const auto withColours = toMetricMaps(ward, coloured);
+  EXPECT_THAT(withColours.maps, SizeIs(4));
+  EXPECT_FALSE(withColours.mapByClass<mrpt::maps::CColouredOctoMap>()->isEmpty());
   auto withoutPlan = ward;
   withoutPlan.floorPlan = {};
   EXPECT_FALSE(toMetricMaps(withoutPlan).mapByClass<mrpt::maps::COccupancyGridMap2D>());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
+#include "support/temporary_folder.h"
 #include "support/textured_room_scan.h"
 #include "wardslam/sources/frame_builder.h"
 
@@ -52,6 +53,34 @@ TEST_F(KeyframeScansTest, HoldThePointsThatDoNotMoveInTheSensorsFrame) {
     const double depth_m = frame_.depth_m.at<float>(points->points3D_idxs_y[i], points->points3D_idxs_x[i]);
     EXPECT_NEAR(points->points3D_x[i], depth_m, 1e-4) << "x is where it looks";
   }
+}
+
+/// Of a sensor whose colour camera is 3 cm to the left of its depth camera: as from the colour camera.
+TEST_F(KeyframeScansTest, WithImagesHoldTheDepthOfWhatDoesNotMove) {
+  const test::TemporaryFolder folder;
+  MapBuilderOptions options;
+  options.images = folder.path().string();
+  KeyframeScans scans(options);
+  const auto apart = CObservation3DRangeScan::Create(*frame_.observation);
+  apart->relativePoseIntensityWRTDepth = mrpt::poses::CPose3D(0.0, 0.03, 0.0, -M_PI / 2, 0.0, -M_PI / 2);
+  const auto mayMove = frame_.mayMove;
+  frame_ = sources::FrameBuilder().build(apart);
+  frame_.mayMove = mayMove;
+  mrpt::obs::CSensoryFrame observed;
+  observed.insert(frame_.observation);
+  scans.setObserved(observed);
+  odometry::OdometryResult odometry;
+  odometry.keyframe = std::make_shared<odometry::Keyframe>();
+  scans.onFrame(frame_, odometry);
+  const auto kept = scans.all().begin()->second.observed->getObservationByClass<CObservation3DRangeScan>();
+  kept->load();
+  const auto again = sources::FrameBuilder().build(kept);
+  EXPECT_TRUE(again.T_base_cam.isApprox(frame_.T_base_cam, 1e-9));
+  ASSERT_EQ(again.depth_m.size(), frame_.depth_m.size());
+  EXPECT_LT(cv::norm(again.depth_m.colRange(160, 320), frame_.depth_m.colRange(160, 320), cv::NORM_INF), 0.00051);
+  EXPECT_EQ(cv::countNonZero(again.depth_m.colRange(0, 160)), 0);
+  EXPECT_GT(cv::countNonZero(again.depth_m), 1000);
+  EXPECT_EQ(cv::norm(again.color_bgr, frame_.color_bgr, cv::NORM_INF), 0.0);
 }
 
 TEST_F(KeyframeScansTest, KeepWhatElseWasSeenAndNoOtherImages) {

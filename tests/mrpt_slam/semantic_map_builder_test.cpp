@@ -248,6 +248,9 @@ TEST_F(SemanticMapBuilderTest, TheSimpleMapsImagesLieOutsideIfAskedFor) {
   ASSERT_TRUE(scan->hasIntensityImage);
   EXPECT_TRUE(scan->intensityImage.isExternallyStored());
   EXPECT_TRUE(std::filesystem::exists(scan->intensityImage.getExternalStorageFileAbsolutePath()));
+  ASSERT_TRUE(scan->hasRangeImage);
+  ASSERT_TRUE(scan->rangeImage_isExternallyStored());
+  EXPECT_TRUE(std::filesystem::exists(scan->rangeImage_getExternalStorageFileAbsolutePath("")));
 
   builder_.configuration.builder.images = folder.write("file", "").string() + "/below";
   EXPECT_THAT([&] { builder_.initialize(); }, ThrowsMessage<core::InputError>(HasSubstr("cannot be made")));
@@ -265,7 +268,33 @@ TEST_F(SemanticMapBuilderTest, BeginsWhereItIsTold) {
   expectAt(T_map_base(1), 0.006);
 }
 
-TEST_F(SemanticMapBuilderTest, CannotGoOnInASimpleMapAndSaysInWhat) {
+/// As from one program to the next: over files.
+TEST_F(SemanticMapBuilderTest, GoesOnInASimpleMapOfItsOwn) {
+  const test::TemporaryFolder folder;
+  builder_.configuration.builder.images = (folder.path() / "images").string();
+  const mrpt::poses::CPosePDFGaussian x0(mrpt::poses::CPose2D(3.0, -2.0, 1.0));
+  builder_.initialize({}, &x0);
+  processUntil(20);
+  builder_.finish();
+  mrpt::maps::CSimpleMap simple;
+  builder_.getCurrentlyBuiltMap(simple);
+  ASSERT_TRUE(simple.saveToFile((folder.path() / "room.simplemap").string()));
+  mrpt::maps::CSimpleMap read;
+  ASSERT_TRUE(read.loadFromFile((folder.path() / "room.simplemap").string()));
+  const Eigen::Isometry3d T_map_start = core::fromMrpt(mrpt::poses::CPose3D(3.0, -2.0, 0.0, 1.0, 0.0, 0.0));
+  builder_.configuration.builder.images.clear();
+  for (const bool updates : {true, false}) {
+    builder_.enableMapUpdating(updates);
+    builder_.initialize(read);
+    EXPECT_GE(builder_.getCurrentlyBuiltMapSize(), 1U);
+    for (int image = 4; image < 20; ++image) builder_.processObservation(scan(image));
+    builder_.finish();
+    EXPECT_EQ(builder_.trajectory().size(), 16U) << "recognised; map updating: " << updates;
+    expectAt(T_map_start * T_map_base(19), 0.01);
+  }
+}
+
+TEST_F(SemanticMapBuilderTest, CannotGoOnInASimpleMapWithoutImagesAndSaysInWhat) {
   mrpt::maps::CSimpleMap simple;
   simple.insert(mrpt::poses::CPose3DPDF::Ptr(CPose3DPDFGaussian::Create()), CSensoryFrame::Create());
   EXPECT_THAT([&] { builder_.initialize(simple); }, ThrowsMessage<core::InputError>(HasSubstr(".wardmap")));

@@ -1,5 +1,6 @@
 #include "wardslam/exchange/metric_maps.h"
 
+#include <mrpt/maps/CColouredOctoMap.h>
 #include <mrpt/maps/CColouredPointsMap.h>
 #include <mrpt/maps/COctoMap.h>
 
@@ -7,6 +8,22 @@
 #include "wardslam/mapping/cloud_in_map.h"
 
 namespace wardslam::exchange {
+namespace {
+
+/// `OctoMap`: MRPT's with colours or without.
+template <class OctoMap>
+std::shared_ptr<OctoMap> voxelsOf(const mapping::SemanticMap& map, double resolution_m) {
+  octomap::OcTree tree(resolution_m);
+  fillOctree(map, tree);
+  tree.expand();  // a voxel at a time is what MRPT takes: it does not let its tree out
+  auto octoMap = std::make_shared<OctoMap>(resolution_m);
+  for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+    octoMap->updateVoxel(leaf.getX(), leaf.getY(), leaf.getZ(), tree.isNodeOccupied(*leaf));
+  }
+  return octoMap;
+}
+
+}  // namespace
 
 std::shared_ptr<mrpt::maps::CColouredPointsMap> toColouredPoints(const mapping::SemanticMap& map) {
   const auto share = [](std::uint8_t level) { return static_cast<float>(level) / 255.0F; };
@@ -19,13 +36,16 @@ std::shared_ptr<mrpt::maps::CColouredPointsMap> toColouredPoints(const mapping::
 }
 
 std::shared_ptr<mrpt::maps::COctoMap> toOctoMap(const mapping::SemanticMap& map, double resolution_m) {
-  octomap::OcTree tree(resolution_m);
-  fillOctree(map, tree);
-  tree.expand();  // a voxel at a time is what COctoMap takes: MRPT does not let its tree out
-  auto octoMap = std::make_shared<mrpt::maps::COctoMap>(resolution_m);
-  for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
-    octoMap->updateVoxel(leaf.getX(), leaf.getY(), leaf.getZ(), tree.isNodeOccupied(*leaf));
-  }
+  return voxelsOf<mrpt::maps::COctoMap>(map, resolution_m);
+}
+
+std::shared_ptr<mrpt::maps::CColouredOctoMap> toColouredOctoMap(const mapping::SemanticMap& map, double resolution_m) {
+  auto octoMap = voxelsOf<mrpt::maps::CColouredOctoMap>(map, resolution_m);
+  octoMap->setVoxelColourMethod(mrpt::maps::CColouredOctoMap::AVERAGE);
+  mapping::forEachCloudPoint(map, [&](const Eigen::Vector3f& p_m, const mapping::SemanticPoint& point) {
+    const auto [red, green, blue] = point.color_rgb;
+    octoMap->updateVoxelColour(p_m.x(), p_m.y(), p_m.z(), red, green, blue);
+  });
   return octoMap;
 }
 

@@ -27,24 +27,30 @@ constexpr double kStep_rad = 2.0 * M_PI / kDirections;
 constexpr double kFarthest_m = 10.0;
 constexpr double kScanHeight_m = 0.3;
 
-/// On the floor below, x as the sensor has it.
-Eigen::Isometry3d levelBelow(const Eigen::Isometry3d& T_map_sensor) {
-  const Eigen::Vector3d ahead = T_map_sensor.linear().col(0);
-  Eigen::Isometry3d T_map_level = Eigen::Isometry3d::Identity();
-  T_map_level.translation().head<2>() = T_map_sensor.translation().head<2>();
-  T_map_level.linear() = Eigen::AngleAxisd(std::atan2(ahead.y(), ahead.x()), Eigen::Vector3d::UnitZ()).matrix();
-  return T_map_level;
-}
+/// Upright where the camera is, x ahead as far as that can be.
+struct LevelPose {
+  explicit LevelPose(const Eigen::Isometry3d& T_map_cam) : p_map_m(T_map_cam.translation()) {
+    const Eigen::Vector3d ahead = T_map_cam.linear().col(2);
+    yaw_rad = std::atan2(ahead.y(), ahead.x());
+  }
 
-CObservation3DRangeScan::Ptr pointsOf(const mapping::SemanticCloudTile& tile) {
+  [[nodiscard]] Eigen::Isometry3d T_map_level() const {
+    return Eigen::Translation3d(p_map_m) * Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ());
+  }
+
+  Eigen::Vector3d p_map_m;
+  double yaw_rad = 0.0;
+};
+
+CObservation3DRangeScan::Ptr pointsOf(const mapping::SemanticCloudTile& tile, const Eigen::Isometry3d& T_level_cam) {
   auto scan = CObservation3DRangeScan::Create();
   scan->sensorLabel = "RGBD";
   scan->hasPoints3D = true;
   scan->maxRange = 0.0F;
-  const Eigen::Isometry3f T_sensor_cam = core::T_sensor_cam().cast<float>();
+  const Eigen::Isometry3f T_cam = T_level_cam.cast<float>();
   scan->resizePoints3DVectors(tile.points.size());  // indices of pixels, too, without which it cannot be written
   for (std::size_t i = 0; i < tile.points.size(); ++i) {
-    const Eigen::Vector3f p_m = T_sensor_cam * tile.points[i].p_cam_m;
+    const Eigen::Vector3f p_m = T_cam * tile.points[i].p_cam_m;
     scan->points3D_x[i] = p_m.x();
     scan->points3D_y[i] = p_m.y();
     scan->points3D_z[i] = p_m.z();
@@ -70,8 +76,7 @@ std::optional<double> distanceToObstacle_m(const FloorPlan& plan, const Eigen::V
 }
 
 /// A scan of neighbouring directions, counted from ahead to the left.
-CObservation2DRangeScan::Ptr scanOf(const std::vector<float>& ranges_m, int firstDirection,
-                                    const Eigen::Isometry3d& T_sensor_level) {
+CObservation2DRangeScan::Ptr scanOf(const std::vector<float>& ranges_m, int firstDirection, double height_m) {
   auto scan = CObservation2DRangeScan::Create();
   scan->sensorLabel = "RGBD_SCAN";
   scan->rightToLeft = true;
@@ -79,8 +84,7 @@ CObservation2DRangeScan::Ptr scanOf(const std::vector<float>& ranges_m, int firs
   const double aperture_rad = kStep_rad * static_cast<double>(ranges_m.size() - 1);
   scan->aperture = static_cast<float>(aperture_rad);
   const double middle_rad = kStep_rad * firstDirection + aperture_rad / 2;
-  scan->setSensorPose(core::toMrpt(T_sensor_level) +
-                      mrpt::poses::CPose3D(0.0, 0.0, kScanHeight_m, middle_rad, 0.0, 0.0));
+  scan->setSensorPose(mrpt::poses::CPose3D(0.0, 0.0, height_m, middle_rad, 0.0, 0.0));
   scan->resizeScan(ranges_m.size());
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     scan->setScanRange(i, ranges_m[i]);
@@ -91,21 +95,20 @@ CObservation2DRangeScan::Ptr scanOf(const std::vector<float>& ranges_m, int firs
 
 /// A direction in which nothing is known to stand cannot be said: MRPT takes rays without an end for free up to half
 /// the distance it inserts at most, whatever the sensor reaches.
-void addScans(const FloorPlan& plan, const Eigen::Isometry3d& T_map_sensor, mrpt::Clock::time_point stamp,
+void addScans(const FloorPlan& plan, const LevelPose& robot, mrpt::Clock::time_point stamp,
               mrpt::obs::CSensoryFrame& frame) {
-  const Eigen::Isometry3d T_map_level = levelBelow(T_map_sensor);
-  const double yaw_rad = std::atan2(T_map_level(1, 0), T_map_level(0, 0));
   std::vector<float> run_m;
   for (int direction = 0; direction <= kDirections; ++direction) {
-    const auto range_m = direction < kDirections ? distanceToObstacle_m(plan, T_map_level.translation().head<2>(),
-                                                                        yaw_rad + kStep_rad * direction)
+    const auto range_m = direction < kDirections ? distanceToObstacle_m(plan, robot.p_map_m.head<2>(),
+                                                                        robot.yaw_rad + kStep_rad * direction)
                                                  : std::nullopt;
     if (range_m) {
       run_m.push_back(static_cast<float>(*range_m));
       continue;
     }
     if (run_m.size() > 1) {
-      const auto scan = scanOf(run_m, direction - static_cast<int>(run_m.size()), T_map_sensor.inverse() * T_map_level);
+      const int first = direction - static_cast<int>(run_m.size());
+      const auto scan = scanOf(run_m, first, kScanHeight_m - robot.p_map_m.z());
       scan->timestamp = stamp;
       frame.insert(scan);
     }
@@ -118,17 +121,19 @@ void addScans(const FloorPlan& plan, const Eigen::Isometry3d& T_map_sensor, mrpt
 mrpt::maps::CSimpleMap toSimpleMap(const mapping::SemanticMap& map) {
   mrpt::maps::CSimpleMap simple;
   for (const auto& [id, keyframe] : map.keyframes) {
-    // The robot is the sensor: COctoMap of MRPT 2.5 looks over the place of a 3D scan on its robot.
-    const Eigen::Isometry3d T_map_sensor = keyframe.T_map_cam * core::T_sensor_cam().inverse();
+    // The robot stands level, as COccupancyGridMap2D takes no scan that is tilted against its robot, and where the
+    // camera is, as COctoMap looks over the place of a 3D scan on its robot (findings/).
+    const LevelPose robot(keyframe.T_map_cam);
+    const Eigen::Isometry3d T_map_level = robot.T_map_level();
     auto frame = mrpt::obs::CSensoryFrame::Create();
     const auto tile = map.cloud.find(id);
     if (tile != map.cloud.end()) {
-      const auto points = pointsOf(tile->second);
+      const auto points = pointsOf(tile->second, T_map_level.inverse() * keyframe.T_map_cam);
       points->timestamp = core::toMrptTime(keyframe.stamp_s);
       frame->insert(points);
     }
-    if (!map.floorPlan.cells.empty()) addScans(map.floorPlan, T_map_sensor, core::toMrptTime(keyframe.stamp_s), *frame);
-    auto pose = mrpt::poses::CPose3DPDFGaussian::Create(core::toMrpt(T_map_sensor));
+    if (!map.floorPlan.cells.empty()) addScans(map.floorPlan, robot, core::toMrptTime(keyframe.stamp_s), *frame);
+    auto pose = mrpt::poses::CPose3DPDFGaussian::Create(core::toMrpt(T_map_level));
     pose->cov.setDiagonal(6, kKeyframePoseSigma * kKeyframePoseSigma);
     simple.insert(mrpt::poses::CPose3DPDF::Ptr(pose), frame);
   }

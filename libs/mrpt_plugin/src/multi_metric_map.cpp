@@ -2,6 +2,7 @@
 
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/maps/CColouredOctoMap.h>
 #include <mrpt/maps/CColouredPointsMap.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/maps/COctoMap.h>
@@ -27,6 +28,7 @@ mrpt::maps::CMultiMetricMap toMetricMaps(const mapping::SemanticMap& map, const 
     all.maps.push_back(std::make_shared<mrpt::maps::COccupancyGridMap2D>(exchange::toOccupancyGrid(map.floorPlan)));
   }
   if (choice.octoMap) all.maps.push_back(exchange::toOctoMap(map, choice.octoMapResolution_m));
+  if (choice.colouredOctoMap) all.maps.push_back(exchange::toColouredOctoMap(map, choice.octoMapResolution_m));
   return all;
 }
 

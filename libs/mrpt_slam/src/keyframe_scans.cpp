@@ -1,9 +1,12 @@
 #include "keyframe_scans.h"
 
+#include <mrpt/img/CImage.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
+#include <opencv2/core.hpp>
 #include <string>
 
 #include "wardslam/core/errors.h"
@@ -51,6 +54,30 @@ void addPoints(const core::Frame& frame, int step_px, CObservation3DRangeScan& s
   }
 }
 
+/// The scan as one of the colour camera, whose depth is that of the frame; where something may move there is none.
+void setDepth(const core::Frame& frame, CObservation3DRangeScan& scan) {
+  constexpr float kUnits_m = 0.001F;
+  cv::Mat units;
+  frame.depth_m.convertTo(units, CV_16U, 1.0 / kUnits_m);
+  if (!frame.mayMove.empty()) units.setTo(0, frame.mayMove);
+  scan.hasRangeImage = true;
+  scan.range_is_depth = true;
+  scan.rangeUnits = kUnits_m;
+  scan.cameraParams = scan.cameraParamsIntensity;
+  scan.rangeImage_setSize(units.rows, units.cols);
+  units.copyTo(cv::Mat(units.size(), CV_16UC1, scan.rangeImage.data()));
+}
+
+/// The same sensor, where its colour camera is.
+void moveToColorCamera(const core::Frame& frame, CObservation3DRangeScan& scan) {
+  scan.sensorPose = core::toMrpt(frame.T_base_cam * core::T_sensor_cam().inverse());
+  scan.relativePoseIntensityWRTDepth = core::toMrpt(core::T_sensor_cam());
+}
+
+[[noreturn]] void refuse(const std::string& file) {
+  throw core::InputError(file + ": the image of a keyframe cannot be written; is the disk full?");
+}
+
 }  // namespace
 
 KeyframeScans::KeyframeScans(const MapBuilderOptions& options) : options_(options) {
@@ -67,8 +94,9 @@ KeyframeScans::KeyframeScans(const MapBuilderOptions& options) : options_(option
 void KeyframeScans::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   if (!odometry.keyframe || !frame.observation) return;
   const auto scan = withoutContent(*frame.observation);
+  if (!options_.images.empty()) moveToColorCamera(frame, *scan);
   addPoints(frame, options_.points_px, *scan);
-  if (!options_.images.empty()) storeImage(frame, odometry.keyframe->id, *scan);
+  if (!options_.images.empty()) storeImages(frame, odometry.keyframe->id, *scan);
   auto observed = mrpt::obs::CSensoryFrame::Create();
   for (const auto& observation : observed_) {
     if (observation == frame.observation) {
@@ -84,16 +112,23 @@ void KeyframeScans::onUpdate(const odometry::MapUpdate& update) {
   for (const auto& removed : update.removedKeyframes) scans_.erase(removed.id);
 }
 
-/// By its full name: those that are relative are looked for where a global variable of MRPT says.
-void KeyframeScans::storeImage(const core::Frame& frame, odometry::KeyframeId keyframe, CObservation3DRangeScan& scan) {
+/// By their full names: those that are relative are looked for where a global variable of MRPT says.
+void KeyframeScans::storeImages(const core::Frame& frame, odometry::KeyframeId keyframe,
+                                CObservation3DRangeScan& scan) {
   const CObservation3DRangeScan& full = *frame.observation;
   if (!full.hasIntensityImage) return;
-  const std::string file = options_.images + "/keyframe_" + std::to_string(keyframe) + "_INT.png";
-  if (!full.intensityImage.saveToFile(file))
-    throw core::InputError(file + ": the image of a keyframe cannot be written; is the disk full?");
+  const std::string name = options_.images + "/keyframe_" + std::to_string(keyframe);
+  const std::string color = name + "_INT.png";
+  if (!full.intensityImage.saveToFile(color)) refuse(color);
   scan.hasIntensityImage = true;
   scan.intensityImageChannel = full.intensityImageChannel;
-  scan.intensityImage.setExternalStorage(file);
+  scan.intensityImage.setExternalStorage(color);
+  setDepth(frame, scan);
+  try {
+    scan.rangeImage_convertToExternalStorage(name + "_RANGES.bin", mrpt::img::CImage::getImagesPathBase());
+  } catch (const std::exception&) {
+    refuse(name + "_RANGES.bin");
+  }
 }
 
 }  // namespace wardslam::mrpt_slam

@@ -11,7 +11,8 @@
 namespace wardslam::mrpt_slam {
 
 /// What was observed where keyframes were taken, small enough to be kept for all of them: of the RGB-D scan the points
-/// that do not move, in its sensor's frame, and its colour image outside, if at all; what else the robot observed as it
+/// that do not move, in its sensor's frame, and outside, if at all, its colour image with the depth of what does not
+/// move, as a sensor has them whose cameras coincide; what else the robot observed as it
 /// came.
 class KeyframeScans : public pipeline::FrameObserver {
  public:
@@ -31,7 +32,7 @@ class KeyframeScans : public pipeline::FrameObserver {
   [[nodiscard]] const std::map<odometry::KeyframeId, Scan>& all() const { return scans_; }
 
  private:
-  void storeImage(const core::Frame& frame, odometry::KeyframeId keyframe, mrpt::obs::CObservation3DRangeScan& scan);
+  void storeImages(const core::Frame& frame, odometry::KeyframeId keyframe, mrpt::obs::CObservation3DRangeScan& scan);
 
   MapBuilderOptions options_;
   mrpt::obs::CSensoryFrame observed_;

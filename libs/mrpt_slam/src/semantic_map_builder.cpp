@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "estimation_picture.h"
+#include "initial_map.h"
 #include "motion_of_actions.h"
 #include "session.h"
 #include "wardslam/core/errors.h"
@@ -42,30 +43,27 @@ void CMetricMapBuilderSemantic::loadFromConfigFile(const mrpt::config::CConfigFi
 }
 
 void CMetricMapBuilderSemantic::initialize(const mrpt::maps::CSimpleMap& initialMap, const mrpt::poses::CPosePDF* x0) {
-  if (!initialMap.empty()) {
-    throw core::InputError("a simple map of " + std::to_string(initialMap.size()) +
-                           " keyframes cannot be gone on in, since no place can be recognised by its scans; give the "
-                           ".wardmap of the same run, as initialize(\"NAME.wardmap\") or `map` in the .ini file");
-  }
-  locked([&] { begin(x0); });
+  locked([&] { begin(initialMap, x0); });
 }
 
 void CMetricMapBuilderSemantic::initialize(const std::filesystem::path& wardmap) {
   locked([&] {
     configuration.builder.map = wardmap.string();
-    begin(nullptr);
+    begin({}, nullptr);
   });
 }
 
-void CMetricMapBuilderSemantic::begin(const mrpt::poses::CPosePDF* x0) {
+void CMetricMapBuilderSemantic::begin(const mrpt::maps::CSimpleMap& simple, const mrpt::poses::CPosePDF* x0) {
   updatesTheMap_ = options.enableMapUpdating;
   saidThatItIsLate_ = false;
   session_.reset();  // two runs may not fit into memory
-  session_ = std::make_unique<Session>(configuration, updatesTheMap_, meanOf(x0));
+  const auto earlier = initialMap(simple, configuration, updatesTheMap_,
+                                  [this](const std::string& sentence) { MRPT_LOG_WARN(sentence); });
+  session_ = std::make_unique<Session>(configuration, earlier, updatesTheMap_, meanOf(x0));
 }
 
 Session& CMetricMapBuilderSemantic::begun() {
-  if (!session_) begin(nullptr);
+  if (!session_) begin({}, nullptr);
   warnOfLateChange();
   return *session_;
 }

@@ -28,11 +28,6 @@ pipeline::SlamOptions slamOptions(const MapBuilderConfiguration& configuration, 
   return options;
 }
 
-pipeline::EarlierMap earlierMap(const std::string& file, bool updatesTheMap) {
-  if (file.empty()) return {};
-  return pipeline::readEarlierMap(file, updatesTheMap ? graph::Saved::MayChange : graph::Saved::IsHeld);
-}
-
 pipeline::WhenBehind whenBehind(const MapBuilderOptions& options) {
   return options.waits_for_map ? pipeline::WhenBehind::Waits : pipeline::WhenBehind::LeavesViewsOut;
 }
@@ -69,10 +64,9 @@ mrpt::poses::CPose3DPDF::Ptr keyframePose(const Eigen::Isometry3d& T_map_base) {
 
 }  // namespace
 
-Session::Session(const MapBuilderConfiguration& configuration, bool updatesTheMap,
+Session::Session(const MapBuilderConfiguration& configuration, const pipeline::EarlierMap& earlier, bool updatesTheMap,
                  const std::optional<Eigen::Isometry3d>& T_map_base)
-    : Session(configuration, slamOptions(configuration, updatesTheMap, T_map_base),
-              earlierMap(configuration.builder.map, updatesTheMap)) {
+    : Session(configuration, slamOptions(configuration, updatesTheMap, T_map_base), earlier) {
   if (T_map_base) T_map_base_ = *T_map_base;
 }
 

@@ -20,7 +20,7 @@ namespace wardslam::mrpt_slam {
 class Session : private pipeline::FrameObserver {
  public:
   /// `T_map_base`: where the robot starts; nothing: at the origin. Throws core::InputError for wrong options.
-  Session(const MapBuilderConfiguration& configuration, bool updatesTheMap,
+  Session(const MapBuilderConfiguration& configuration, const pipeline::EarlierMap& earlier, bool updatesTheMap,
           const std::optional<Eigen::Isometry3d>& T_map_base);
 
   /// How the robot moved since the last action; nothing: nobody knows.

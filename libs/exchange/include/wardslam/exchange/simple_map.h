@@ -10,7 +10,8 @@ namespace wardslam::exchange {
 inline constexpr double kKeyframePoseSigma = 0.02;
 
 /// The map as MRPT's programs make maps from (observations2map, CMetricMap::loadFromSimpleMap()): one entry per
-/// keyframe, in order. Its pose is that of the sensor (x forward, z up), and observed was
+/// keyframe, in order. Its pose is where the camera is, upright, x ahead (a camera may be tilted; MRPT's grids take no
+/// scan that is tilted against its robot), and observed was
 ///
 /// - CObservation3DRangeScan "RGBD": the part of the cloud that hangs on the keyframe, as points, without images;
 /// - CObservation2DRangeScan "RGBD_SCAN": what a laser scanner that looks all around would see there by the floor plan,

@@ -10,10 +10,11 @@ namespace wardslam::mrpt_plugin {
 
 /// Which of MRPT's maps are wanted.
 struct MetricMapChoice {
-  bool semantic = true;  ///< CSemanticMap
-  bool points = true;    ///< CColouredPointsMap: the cloud
-  bool grid = true;      ///< COccupancyGridMap2D: the floor plan, where there is one
-  bool octoMap = true;   ///< COctoMap
+  bool semantic = true;          ///< CSemanticMap
+  bool points = true;            ///< CColouredPointsMap: the cloud
+  bool grid = true;              ///< COccupancyGridMap2D: the floor plan, where there is one
+  bool octoMap = true;           ///< COctoMap
+  bool colouredOctoMap = false;  ///< CColouredOctoMap
   double octoMapResolution_m = 0.05;
 };
 

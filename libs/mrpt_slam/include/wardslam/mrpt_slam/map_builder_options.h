@@ -30,7 +30,8 @@ struct MapBuilderOptions {
     visit("sensor_label", self.sensor_label, "of the RGB-D camera; empty = the first one that is seen");
     visit("points_px", self.points_px, {1, 64}, "px", "from one point to the next in the scans of the simple map");
     visit("images", self.images,
-          "folder for the colour images of the scans of the simple map; empty = they have points alone");
+          "folder for the images of the scans of the simple map, without which it cannot be gone on in; empty = they "
+          "have points alone");
   }
 };
 

@@ -49,8 +49,9 @@ class CMetricMapBuilderSemantic : public mrpt::slam::CMetricMapBuilder {
                           const std::vector<std::string>& ofTheProgram = {});
 
   /// Begins anew, in the .wardmap of the configuration if it names one; the robot stands at the mean of `x0` (null: the
-  /// origin) on the floor. Throws core::InputError for a simple map that holds something: no place can be recognised by
-  /// its scans; give the .wardmap of the same run.
+  /// origin) on the floor. A simple map that holds something goes before that .wardmap: it is looked at once more
+  /// (makeMapFile(), which takes as long as a run over its keyframes and says what their scans must have), and then
+  /// gone on in as in a .wardmap, see below. Throws core::InputError for one that cannot be used.
   void initialize(const mrpt::maps::CSimpleMap& initialMap = mrpt::maps::CSimpleMap(),
                   const mrpt::poses::CPosePDF* x0 = nullptr) override;
 
@@ -102,7 +103,7 @@ class CMetricMapBuilderSemantic : public mrpt::slam::CMetricMapBuilder {
  private:
   template <class Do>
   decltype(auto) locked(const Do& work) const;
-  void begin(const mrpt::poses::CPosePDF* x0);
+  void begin(const mrpt::maps::CSimpleMap& simple, const mrpt::poses::CPosePDF* x0);
   Session& begun();
   void warnOfLateChange();
 
