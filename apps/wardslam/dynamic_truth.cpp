@@ -31,7 +31,8 @@ bool isSet(const cv::Mat& mask, const cv::Point2f& raw_px) {
 
 }  // namespace
 
-DynamicTruth::DynamicTruth(const std::filesystem::path& folder) : folder_(folder), files_(folder, ".png") {}
+DynamicTruth::DynamicTruth(const std::filesystem::path& folder, double rate_hz)
+    : folder_(folder), files_(folder, ".png", rate_hz) {}
 
 void DynamicTruth::onFrame(const core::Frame& frame, const odometry::OdometryResult& /*odometry*/) {
   constexpr double kTolerance_s = 0.005;

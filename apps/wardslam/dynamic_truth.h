@@ -13,8 +13,9 @@ namespace wardslam::apps {
 /// colour image, anything but 0 where the picture moves. Frames without such an image are left out.
 class DynamicTruth : public pipeline::FrameObserver {
  public:
-  /// Throws core::InputError when the folder cannot be read or holds no such image.
-  explicit DynamicTruth(const std::filesystem::path& folder);
+  /// `rate_hz`: of images that are named by their numbers. Throws core::InputError when the folder cannot be read or
+  /// holds no such image.
+  DynamicTruth(const std::filesystem::path& folder, double rate_hz);
 
   /// Throws core::InputError for an image that is damaged or of another size than the frame's.
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;

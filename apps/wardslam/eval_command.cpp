@@ -45,6 +45,9 @@ std::pair<double, double> recordingSpan(const std::filesystem::path& groundTruth
   exchange::TrajectoryReading reading;
   reading.rate_hz = trajectories.rate_hz;
   const auto stamps_s = exchange::readTumStamps(images, reading);
+  const bool isOneClock =
+      stamps_s.front() <= groundTruth.back().stamp_s && groundTruth.front().stamp_s <= stamps_s.back();
+  if (!isOneClock) return {groundTruth.front().stamp_s, groundTruth.back().stamp_s};
   return {stamps_s.front(), stamps_s.back()};
 }
 

@@ -70,7 +70,7 @@ void writeTrajectory(const Source& source, const Path& file) {
   trajectory.finish();
 }
 
-constexpr std::array<Format, 12> kFormats = {{
+constexpr std::array<Format, 13> kFormats = {{
     {"--ply", "the cloud: colour, class and instance of every point", writeMap<exchange::exportPly>},
     {"--pcd", "the cloud, for PCL: rgb, label, instance", writeMap<exchange::exportPcd>},
     {"--octomap", "occupied and free space: F.bt, or with probabilities F.ot", writeOctomap},
@@ -83,6 +83,8 @@ constexpr std::array<Format, 12> kFormats = {{
     {"--trajectory", "the poses of the keyframes, as `wardslam eval` reads them", writeTrajectory},
     {"--ros-map", "the floor plan for ROS map_server: F.yaml, with F.pgm beside it", writeMap<exchange::exportRosMap>},
     {"--geojson", "zones and objects as polygons, metres", writeMap<exchange::exportGeoJson>},
+    {"--geopackage", "the same for GIS programs, which know then that it is metres: F.gpkg",
+     writeMap<exchange::exportGeoPackage>},
     {"--csv", "the objects, one per line", writeMap<exchange::exportCsv>},
 }};
 

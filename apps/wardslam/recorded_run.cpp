@@ -217,6 +217,13 @@ pipeline::WhenBehind whenBehind(const RecordedRun& run, bool isLive) {
   return isLive || run.realtime ? pipeline::WhenBehind::LeavesViewsOut : pipeline::WhenBehind::Waits;
 }
 
+/// Masks that are numbered belong to images that are: unless the configuration says otherwise, both count at one rate.
+pipeline::SlamOptions withRateOfMasks(pipeline::SlamOptions options, double rate_hz) {
+  double& ofMasks = options.segmentation.recorded_masks.rate_hz;
+  if (ofMasks == segmentation::RecordedMasksOptions().rate_hz) ofMasks = rate_hz;
+  return options;
+}
+
 /// One run, from the opened input to the written folder. Whatever goes wrong while it is tracked, what went well until
 /// then is written first.
 class Execution {
@@ -249,10 +256,12 @@ class Execution {
     } else {
       recording_ = openRecording(run_, trouble_);
     }
-    return pipeline::SlamSystem(run_.options, earlierMapOf(run_), whenBehind(run_, live_.has_value()));
+    return pipeline::SlamSystem(withRateOfMasks(run_.options, source().rate_hz()), earlierMapOf(run_),
+                                whenBehind(run_, live_.has_value()));
   }
-  [[nodiscard]] std::unique_ptr<DynamicTruth> makeTruth() const {
-    return run_.dynamicTruth.empty() ? nullptr : std::make_unique<DynamicTruth>(run_.dynamicTruth);
+  [[nodiscard]] std::unique_ptr<DynamicTruth> makeTruth() {
+    if (run_.dynamicTruth.empty()) return nullptr;
+    return std::make_unique<DynamicTruth>(run_.dynamicTruth, source().rate_hz());
   }
   sources::ObservationSource& source() { return live_ ? live_->source() : *recording_; }
 

@@ -1,16 +1,11 @@
-#include <mrpt/obs/CObservation3DRangeScan.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <string>
 
-#include "recording/rawlog_writer.h"
+#include "recording/rawlog_conversion.h"
 #include "support/command_line.h"
-#include "support/interruption.h"
 #include "support/program.h"
-#include "support/progress.h"
-#include "wardslam/bags/bag_reader.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/sources/bag_observations.h"
 #include "wardslam/sources/choice_needed.h"
@@ -27,25 +22,6 @@ struct Arguments {
 
 void warn(const std::string& sentence) { std::cerr << "bag2rawlog: " << sentence << "\n"; }
 
-struct Copied {
-  std::size_t observations = 0;
-  std::size_t scans = 0;
-};
-
-/// Throws when interrupted.
-Copied copyAll(sources::BagObservations& bag, recording::RawlogWriter& rawlog) {
-  const InterruptionGuard interruption;
-  Progress progress(std::cerr, standardErrorIsTerminal(), "observation", bag.size());
-  Copied copied;
-  while (const auto observation = bag.next()) {
-    if (interruption.requested()) throw core::InputError("interrupted; no rawlog was written");
-    rawlog.write(*observation);
-    copied.scans += std::dynamic_pointer_cast<mrpt::obs::CObservation3DRangeScan>(observation) ? 1 : 0;
-    progress.update(++copied.observations);
-  }
-  return copied;
-}
-
 int convert(const Arguments& arguments) {
   if (!std::filesystem::exists(arguments.input)) {
     throw core::InputError(arguments.input.string() + ": no such file or folder");
@@ -55,16 +31,15 @@ int convert(const Arguments& arguments) {
   options.warn = options.note = warn;
   options.topics = arguments.topics;
   sources::BagObservations bag(arguments.input, options);
-  recording::RawlogWriter rawlog(arguments.output);
-  const Copied copied = copyAll(bag, rawlog);
-  if (copied.scans == 0) throw core::InputError(arguments.input.string() + ": no pair of images could be read");
-  rawlog.commit();
-
-  std::cout << arguments.output.string() << ": " << copied.observations << " observations, " << copied.scans
-            << " of them RGB-D scans\n";
-  if (bag.damage().empty()) return kSuccess;
-  warn("parts of the input could not be read; the rawlog holds the rest");
-  return kFailure;
+  recording::RawlogConversion conversion;
+  conversion.program = "bag2rawlog";
+  conversion.input = arguments.input;
+  conversion.output = arguments.output;
+  conversion.size = bag.size();
+  conversion.next = [&] { return bag.next(); };
+  conversion.isDamaged = [&] { return !bag.damage().empty(); };
+  conversion.mayHoldOthers = true;
+  return recording::convertToRawlog(conversion);
 }
 
 int convertOrAsk(const Arguments& arguments) {

@@ -64,7 +64,18 @@ class Run {
         files_(job.output, !job.embed, job.input, describe(job, annotator_)),
         embed_(job.embed) {}
 
+  /// Of what was interrupted, and of what the disk did not take, the next run makes use.
   AnnotationReport perform(const apps::InterruptionGuard& interruption) {
+    try {
+      return annotateAll(interruption);
+    } catch (const core::InputError&) {
+      if (!interruption.requested()) files_.discard();
+      throw;
+    }
+  }
+
+ private:
+  AnnotationReport annotateAll(const apps::InterruptionGuard& interruption) {
     std::string trouble;
     try {
       skipWhatIsDone();
@@ -88,7 +99,6 @@ class Run {
             trouble.empty() ? annotator_.firstTrouble() : trouble};
   }
 
- private:
   void requireSensor() const {
     const auto& known = sensors_.observations;
     if (sensors_.taken.empty() || known.empty() || known.count(sensors_.taken) > 0) return;

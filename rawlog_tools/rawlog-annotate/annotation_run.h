@@ -28,7 +28,8 @@ struct AnnotationReport {
   std::string trouble;  ///< The first about input that could not be used, a sentence part; empty: all was well.
 };
 
-/// Throws core::InputError; what is done by then is kept for the next run of the same job. So it is when interrupted.
+/// Throws core::InputError, and leaves nothing behind where that is the input's fault; where it was interrupted, or the
+/// disk did not take it, what is done by then is kept for the next run of the same job.
 [[nodiscard]] AnnotationReport annotateRawlog(const AnnotationJob& job, const apps::InterruptionGuard& interruption);
 
 }  // namespace wardslam::rawlog_annotate

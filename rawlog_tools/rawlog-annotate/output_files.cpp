@@ -79,10 +79,20 @@ void OutputFiles::open(bool hasSidecar, std::uintmax_t mainSize_bytes, std::uint
 fs::path OutputFiles::sidecar() const { return withStem(output_, "_sem.rawlog"); }
 
 void OutputFiles::checkpoint(std::size_t objectsDone) {
-  const std::uintmax_t main_bytes = main_->checkpoint();
-  const std::uintmax_t sidecar_bytes = sidecar_ ? sidecar_->checkpoint() : 0;
-  core::writeFileAtomically(resumeFile_, std::to_string(objectsDone) + " " + std::to_string(main_bytes) + " " +
-                                             std::to_string(sidecar_bytes) + "\n" + job_);
+  guarded([&] {
+    const std::uintmax_t main_bytes = main_->checkpoint();
+    const std::uintmax_t sidecar_bytes = sidecar_ ? sidecar_->checkpoint() : 0;
+    core::writeFileAtomically(resumeFile_, std::to_string(objectsDone) + " " + std::to_string(main_bytes) + " " +
+                                               std::to_string(sidecar_bytes) + "\n" + job_);
+  });
+}
+
+void OutputFiles::discard() {
+  if (diskFails_) return;
+  main_->discard();
+  if (sidecar_) sidecar_->discard();
+  std::error_code absent;
+  fs::remove(resumeFile_, absent);
 }
 
 void OutputFiles::commit() {

@@ -43,6 +43,9 @@ class RawlogWriter {
 
   void commit();
 
+  /// Also the destructor removes the file then, whatever checkpoints were made.
+  void discard() { isKept_ = false; }
+
  private:
   class Output;
 

@@ -6,13 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "recording/rawlog_writer.h"
+#include "recording/rawlog_conversion.h"
 #include "recording/tum_notes.h"
 #include "support/command_line.h"
-#include "support/interruption.h"
 #include "support/program.h"
-#include "support/progress.h"
-#include "wardslam/core/errors.h"
 #include "wardslam/sources/observation_source.h"
 
 namespace wardslam::apps {
@@ -27,19 +24,6 @@ struct Arguments {
 
 void warn(const std::string& sentence) { std::cerr << "tum2rawlog: " << sentence << "\n"; }
 
-/// Observations copied. Throws when interrupted.
-std::size_t copyAll(sources::ObservationSource& source, recording::RawlogWriter& rawlog) {
-  const InterruptionGuard interruption;
-  Progress progress(std::cerr, standardErrorIsTerminal(), "frame", source.size());
-  std::size_t copied = 0;
-  while (const auto observation = source.next()) {
-    if (interruption.requested()) throw core::InputError("interrupted; no rawlog was written");
-    rawlog.write(*observation);
-    progress.update(++copied);
-  }
-  return copied;
-}
-
 int convert(const Arguments& arguments) {
   sources::SourceOptions options;
   if (!arguments.camera.empty()) options.camera = arguments.camera;
@@ -47,18 +31,19 @@ int convert(const Arguments& arguments) {
   options.warn = warn;
   options.note = warn;
   const auto source = sources::openSource(arguments.input, options);
-  recording::RawlogWriter rawlog(arguments.output);
+  recording::RawlogConversion conversion;
+  conversion.program = "tum2rawlog";
+  conversion.input = arguments.input;
+  conversion.output = arguments.output;
+  conversion.size = source->size();
+  conversion.next = [&] { return source->next(); };
+  conversion.isDamaged = [&] { return !source->damage().empty(); };
   if (std::filesystem::is_directory(arguments.input)) {
-    recording::writeTumNotes(recording::notesOfTumFolder(arguments.input), rawlog);
+    conversion.begin = [&](recording::RawlogWriter& rawlog) {
+      recording::writeTumNotes(recording::notesOfTumFolder(arguments.input), rawlog);
+    };
   }
-  const std::size_t copied = copyAll(*source, rawlog);
-  if (copied == 0) throw core::InputError(arguments.input.string() + ": no image pair could be read");
-  rawlog.commit();
-
-  std::cout << arguments.output.string() << ": " << copied << " observations\n";
-  if (source->damage().empty()) return kSuccess;
-  warn("parts of the input could not be read; the rawlog holds the rest");
-  return kFailure;
+  return recording::convertToRawlog(conversion);
 }
 
 }  // namespace

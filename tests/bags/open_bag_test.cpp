@@ -12,6 +12,7 @@
 #include "wardslam/bags/bag_reader.h"
 #include "wardslam/bags/image_decoding.h"
 #include "wardslam/bags/messages.h"
+#include "wardslam/core/errors.h"
 
 namespace wardslam::bags {
 namespace {
@@ -86,7 +87,8 @@ TEST_P(OpenBag, ReadsWhatOthersWrote) {
 
 INSTANTIATE_TEST_SUITE_P(Writers, OpenBag,
                          ::testing::Values("none.bag", "bz2.bag", "lz4.bag", "compressed.bag", "none.mcap", "zstd.mcap",
-                                           "lz4.mcap", "no_index.mcap", "unchunked.mcap", "float.mcap", "sqlite"),
+                                           "lz4.mcap", "no_index.mcap", "unchunked.mcap", "float.mcap", "sqlite",
+                                           "sqlite_zstd"),
                          [](const auto& about) {
                            std::string name = about.param;
                            for (char& letter : name) letter = letter == '.' ? '_' : letter;
@@ -183,6 +185,40 @@ TEST(OpenBagContent, ReadsAllCompleteChunksOfAFileThatWasCutOff) {
     }
     EXPECT_EQ(before, 9U) << name;
   }
+}
+
+// The pages of a database that was cut off: whichever are there.
+TEST(OpenBagContent, ReadsWhatIsLeftOfADatabaseThatWasCutOff) {
+  const test::TemporaryFolder folder;
+  const std::string name = "sqlite/sqlite_0.db3";
+  const std::uintmax_t size = fs::file_size(data(name));
+  const std::size_t whole = openBag(data(name))->entries().size();
+  std::size_t most = 0;
+  bool isSomeRead = false;
+  for (std::uintmax_t end = 0; end < size; end += 1024) {
+    const auto file = folder.write("cut.db3", beginning(name, end));
+    std::size_t read = 0;
+    std::string complaint;
+    try {
+      const auto bag = openBag(file);
+      if (!bag->damage().empty()) complaint = bag->damage().front().what();
+      for (std::size_t i = 0; i < bag->entries().size(); ++i) {
+        try {
+          read += bag->read(i).empty() ? 0 : 1;
+        } catch (const BagDamage& damage) {
+          complaint = damage.what();
+        }
+      }
+    } catch (const core::InputError& error) {
+      complaint = error.what();
+    }
+    EXPECT_NE(complaint, "") << end << " of " << size;
+    EXPECT_LE(read, whole);
+    isSomeRead = isSomeRead || read > 0;
+    most = std::max(most, read);
+  }
+  EXPECT_TRUE(isSomeRead);
+  EXPECT_LT(most, whole);
 }
 
 TEST(OpenBagContent, AChunkWithAWrongByteIsLeftOut) {

@@ -20,6 +20,11 @@ TEST(StampUnits, OfClocksThatBeganLatelyAreKnownByTheirSteps) {
   EXPECT_EQ(recogniseStampUnit({"0.0", "0.033", "0.067"}), StampUnit::Seconds);
   EXPECT_EQ(recogniseStampUnit({"0", "1", "2", "3"}), StampUnit::Frames);
   EXPECT_EQ(recogniseStampUnit({"0", "10", "20", "30"}), StampUnit::Frames);
+  EXPECT_EQ(recogniseStampUnit({"722.000000", "723.000000", "724.000000", "725.000000", "726.000000", "727.000000",
+                                "728.000000", "729.000000", "730.000000", "731.000000"}),
+            StampUnit::Frames);
+  EXPECT_EQ(recogniseStampUnit({"0.0", "1.0", "2.0", "3.0", "4.0", "5.0", "6.0", "7.0", "8.0", "9.0"}),
+            StampUnit::Frames);
   EXPECT_EQ(recogniseStampUnit({"000015", "000040", "000060"}), StampUnit::Frames);
   EXPECT_EQ(recogniseStampUnit({"5000", "5033", "5067", "5100"}), StampUnit::Milliseconds);
   EXPECT_EQ(recogniseStampUnit({"0", "33366", "66733"}), StampUnit::Microseconds);
@@ -33,7 +38,10 @@ TEST(StampUnits, ThatCouldBeOneThingOrAnotherAreNotGuessed) {
 
 TEST(StampUnits, OfWholeSecondsStaySeconds) {
   EXPECT_EQ(recogniseStampUnit({"1305031102", "1305031103", "1305031104"}), StampUnit::Seconds);
+  EXPECT_EQ(recogniseStampUnit({"1305031102.0", "1305031103.0", "1305031104.0"}), StampUnit::Seconds);
   EXPECT_EQ(recogniseStampUnit({"1.0", "2.0", "3.0"}), StampUnit::Seconds);
+  EXPECT_EQ(recogniseStampUnit({"0.00", "1.00", "2.01", "3.00", "4.00", "5.00", "6.00", "7.00", "8.00", "9.00"}),
+            StampUnit::Seconds);
   EXPECT_EQ(recogniseStampUnit({"7"}), StampUnit::Seconds);
   EXPECT_EQ(recogniseStampUnit({}), StampUnit::Seconds);
 }

@@ -50,23 +50,29 @@ class ExportCloudTest : public testing::Test {
   mapping::SemanticMap ward_ = test::makeWard();
 };
 
-TEST_F(ExportCloudTest, PclReadsThePlyWithColoursClassesAndInstances) {
+TEST_F(ExportCloudTest, PclReadsThePlyWithColoursAndLabels) {
   const std::string file = (folder_.path() / "ward.ply").string();
   exportPly(ward_, file);
-  pcl::PointCloud<pcl::PointXYZRGB> colours;
-  ASSERT_EQ(pcl::io::loadPLYFile(file, colours), 0);
-  ASSERT_EQ(colours.size(), 150U);
-  EXPECT_TRUE(colours[kNumber].getVector3fMap().isApprox(expected_map_m(), 1e-5F));
-  EXPECT_EQ(colours[kNumber].r, 14);
-  EXPECT_EQ(colours[kNumber].g, 100);
-  EXPECT_EQ(colours[kNumber].b, 200);
+  pcl::PointCloud<pcl::PointXYZRGBL> labelled;
+  ASSERT_EQ(pcl::io::loadPLYFile(file, labelled), 0);
+  ASSERT_EQ(labelled.size(), 150U);
+  EXPECT_TRUE(labelled[kNumber].getVector3fMap().isApprox(expected_map_m(), 1e-5F));
+  EXPECT_EQ(labelled[kNumber].r, 14);
+  EXPECT_EQ(labelled[kNumber].g, 100);
+  EXPECT_EQ(labelled[kNumber].b, 200);
+  EXPECT_EQ(labelled[kNumber].label, std::uint32_t{test::kChair});
+  EXPECT_EQ(labelled[kNumber + 1].label, 0U);
+}
 
+TEST_F(ExportCloudTest, ThePlyHasClassAndInstanceByTheNamesCloudCompareTakes) {
+  const std::string file = (folder_.path() / "ward.ply").string();
+  exportPly(ward_, file);
   pcl::PCLPointCloud2 all;
   ASSERT_EQ(pcl::io::loadPLYFile(file, all), 0);
-  EXPECT_EQ(valueAt<std::uint8_t>(all, "class", kNumber), test::kChair);
-  EXPECT_EQ(valueAt<std::uint32_t>(all, "instance", kNumber), 1U);
-  EXPECT_EQ(valueAt<std::uint8_t>(all, "class", kNumber + 1), 0);
-  EXPECT_EQ(valueAt<std::uint32_t>(all, "instance", kNumber + 1), 0U);
+  EXPECT_EQ(valueAt<std::uint8_t>(all, "scalar_class", kNumber), test::kChair);
+  EXPECT_EQ(valueAt<std::uint32_t>(all, "scalar_instance", kNumber), 1U);
+  EXPECT_EQ(valueAt<std::uint8_t>(all, "scalar_class", kNumber + 1), 0);
+  EXPECT_EQ(valueAt<std::uint32_t>(all, "scalar_instance", kNumber + 1), 0U);
 }
 
 TEST_F(ExportCloudTest, PclReadsThePcdWithColoursLabelsAndInstances) {

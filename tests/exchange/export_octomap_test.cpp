@@ -50,6 +50,17 @@ TEST_F(ExportOctomapTest, BinaryTreesHaveWallsAndFreeSpace) {
   expectWall(tree);
 }
 
+TEST_F(ExportOctomapTest, ColouredPointsMakeTheOnlyKindOfTreeThatBinaryFilesCanHold) {
+  auto map = makeWall();
+  for (auto& point : map.cloud[1].points) point.color_rgb = {200, 10, 30};
+  const auto file = folder_.path() / "wall.bt";
+  exportOctomap(map, file);
+  const std::string text = test::readText(file);
+  EXPECT_EQ(text.substr(0, 29), "# Octomap OcTree binary file\n");
+  EXPECT_NE(text.find("\nid OcTree\n"), std::string::npos) << "octovis reads no .bt of another kind";
+  expectWall(octomap::OcTree(file.string()));
+}
+
 TEST_F(ExportOctomapTest, TreesWithProbabilitiesToo) {
   const std::string file = (folder_.path() / "wall.ot").string();
   exportOctomap(makeWall(), file, 0.1);

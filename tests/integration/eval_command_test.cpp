@@ -71,6 +71,34 @@ TEST_F(EvalCommand, TakesNumbersOfImagesForTimeWhereOneFileHasThem) {
   EXPECT_EQ(nlohmann::json::parse(seconds.out).at("ate").at("pairs"), 4);
 }
 
+/// By the time of day no rate leads to it.
+TEST_F(EvalCommand, TakesTheTimesOfNumbersFromWhereThereAreAsMany) {
+  const auto ofDay = write("day/truth.txt",
+                           "1305031102.0 1 0 0 0 0 0 1\n1305031102.1 -1 0 0 0 0 0 1\n1305031102.2 0 1 0 0 0 0 1\n"
+                           "1305031102.3 0 -1 0 0 0 0 1\n1305031102.4 0 0 0 0 0 0 1\n");
+  const auto kitti = [&](const std::string& name, const std::vector<std::string>& positions) {
+    std::string text;
+    for (const std::string& x : positions) text += "1 0 0 " + x + " 0 1 0 0 0 0 1 0\n";
+    return write(name, text);
+  };
+  const auto five = eval({ofDay, kitti("five.txt", {"1.1", "-1.1", "0", "0", "0"}), "--json"});
+  EXPECT_EQ(five.exitCode, 0) << five.err;
+  EXPECT_THAT(five.err, AllOf(HasSubstr("five.txt: numbers the images"), HasSubstr("truth.txt lists")));
+  EXPECT_EQ(nlohmann::json::parse(five.out).at("ate").at("pairs"), 5);
+
+  const auto two = kitti("two.txt", {"0.5", "0.25"});
+  const auto none = eval({ofDay, two});
+  EXPECT_EQ(none.exitCode, 1);
+  EXPECT_THAT(none.err, HasSubstr("two.txt: counts by one, but neither"));
+  write("day/rgb.txt", "1305031102.1 a.png\n1305031102.3 b.png\n");
+  const auto images = eval({ofDay, two, "--json"});
+  EXPECT_EQ(images.exitCode, 0) << images.err;
+  EXPECT_THAT(images.err, HasSubstr("rgb.txt lists"));
+  EXPECT_EQ(nlohmann::json::parse(images.out).at("ate").at("pairs"), 2);
+  const auto fromOne = write("one.txt", "1 0.5 0 0 0 0 0 1\n2 0.25 0 0 0 0 0 1\n");
+  EXPECT_EQ(eval({ofDay, fromOne}).exitCode, 0);
+}
+
 TEST_F(EvalCommand, TakesTheOrderOfTheHeadings) {
   const auto euroc = write("euroc.csv",
                            "#timestamp [ns], p_x [m], p_y [m], p_z [m], q_w [], q_x [], q_y [], q_z []\n"

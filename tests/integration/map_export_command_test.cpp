@@ -24,14 +24,32 @@ class MapExportCommandTest : public testing::Test {
 };
 
 TEST_F(MapExportCommandTest, WritesEveryFormatThatIsNamedAndNamesWhatItWrote) {
-  const auto result =
-      runProgram("wardslam", {"map", "export", map_, "--ply", path("a.ply"), "--pcd", path("a.pcd"), "--octomap",
-                              path("a.bt"), "--scene", path("a.3Dscene"), "--gridmap", path("a.gridmap"), "--ros-map",
-                              path("a.yaml"), "--geojson", path("a.geojson"), "--csv", path("a.csv")});
+  const auto result = runProgram("wardslam", {"map",
+                                              "export",
+                                              map_,
+                                              "--ply",
+                                              path("a.ply"),
+                                              "--pcd",
+                                              path("a.pcd"),
+                                              "--octomap",
+                                              path("a.bt"),
+                                              "--scene",
+                                              path("a.3Dscene"),
+                                              "--gridmap",
+                                              path("a.gridmap"),
+                                              "--ros-map",
+                                              path("a.yaml"),
+                                              "--geojson",
+                                              path("a.geojson"),
+                                              "--geopackage",
+                                              path("a.gpkg"),
+                                              "--csv",
+                                              path("a.csv")});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(result.err, "");
   std::string expected;
-  for (const char* name : {"a.ply", "a.pcd", "a.bt", "a.3Dscene", "a.gridmap", "a.yaml", "a.geojson", "a.csv"}) {
+  for (const char* name :
+       {"a.ply", "a.pcd", "a.bt", "a.3Dscene", "a.gridmap", "a.yaml", "a.geojson", "a.gpkg", "a.csv"}) {
     expected += path(name) + "\n";
     EXPECT_GT(std::filesystem::file_size(path(name)), 0U) << name;
   }

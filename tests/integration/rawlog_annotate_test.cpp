@@ -2,6 +2,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/serialization/CSerializable.h>
 
 #include <chrono>
 #include <csignal>
@@ -43,8 +44,9 @@ class RawlogAnnotate : public ::testing::Test {
  protected:
   RawlogAnnotate() { mrpt_plugin::registerAll(); }
 
-  /// The room as scans, each prepared by `prepare`, with an odometry reading before each.
-  void record(int rounds = 1, const std::function<void(CObservation3DRangeScan&, int)>& prepare = {}) const {
+  /// The room as scans, each prepared by `prepare`, with an odometry reading before each; then `last` as it is.
+  void record(int rounds = 1, const std::function<void(CObservation3DRangeScan&, int)>& prepare = {},
+              const std::vector<std::uint8_t>& last = {}) const {
     recording::RawlogWriter writer(input);
     for (int round = 0; round < rounds; ++round) {
       const auto source = sources::openSource(room().path(), {});
@@ -54,7 +56,28 @@ class RawlogAnnotate : public ::testing::Test {
         writer.write(*scan);
       }
     }
+    if (!last.empty()) writer.write(last);
     writer.commit();
+  }
+
+  /// An odometry reading of a version that nobody knows yet.
+  static std::vector<std::uint8_t> newerOdometry() {
+    const mrpt::obs::CObservationOdometry odometry;
+    std::vector<std::uint8_t> bytes;
+    mrpt::serialization::ObjectToOctetVector(&odometry, bytes);
+    bytes.at(1 + (bytes.at(0) & 0x7FU)) = 99;  // behind the name of the class, which its length precedes
+    return bytes;
+  }
+
+  /// A run that ends once it has made a checkpoint.
+  void annotateAndKill() const {
+    test::RunningProgram killed("rawlog-annotate", command());
+    const fs::path resume = output.string() + ".resume";
+    for (int i = 0; i < 600 && !fs::exists(resume); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    killed.send(SIGKILL);
+    EXPECT_EQ(killed.wait().exitCode, 128 + SIGKILL);
+    EXPECT_FALSE(fs::exists(output));
+    ASSERT_TRUE(fs::exists(resume));
   }
 
   [[nodiscard]] std::vector<std::string> command(const std::vector<std::string>& more = {}) const {
@@ -180,14 +203,7 @@ TEST_F(RawlogAnnotate, LeavesExternalImagesWhereTheyAre) {
 
 TEST_F(RawlogAnnotate, GoesOnWhereItWasKilled) {
   record(25);
-  test::RunningProgram killed("rawlog-annotate", command());
-  const fs::path resume = output.string() + ".resume";
-  for (int i = 0; i < 600 && !fs::exists(resume); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  killed.send(SIGKILL);
-  EXPECT_EQ(killed.wait().exitCode, 128 + SIGKILL);
-  EXPECT_FALSE(fs::exists(output));
-  ASSERT_TRUE(fs::exists(resume));
-
+  annotateAndKill();
   const auto result = annotate();
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("going on behind the first"));
@@ -199,8 +215,17 @@ TEST_F(RawlogAnnotate, GoesOnWhereItWasKilled) {
     expectPersonMarked(*scans[i]);
   }
   EXPECT_EQ(read(sidecar).size(), scans.size());
-  EXPECT_FALSE(fs::exists(resume));
+  EXPECT_FALSE(fs::exists(output.string() + ".resume"));
   EXPECT_FALSE(fs::exists(output.string() + ".partial"));
+}
+
+TEST_F(RawlogAnnotate, LeavesNothingWhereTheInputIsAtFaultHoweverFarItWas) {
+  record(25, {}, newerOdometry());
+  annotateAndKill();
+  const auto result = annotate();
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.err, HasSubstr("written by a newer MRPT (CObservationOdometry, version 99)"));
+  for (const auto& entry : fs::directory_iterator(folder.path())) EXPECT_EQ(entry.path().filename(), "in.rawlog");
 }
 
 TEST_F(RawlogAnnotate, NeverWritesOverItsInput) {

@@ -90,6 +90,16 @@ TEST_F(WrittenRawlog, GoesOnWhereAnInterruptedWriterWas) {
   EXPECT_THAT(numbersIn(file), ElementsAre(0, 1, 3, 4));
 }
 
+TEST_F(WrittenRawlog, WhatIsDiscardedGoesAlsoBehindACheckpoint) {
+  {
+    RawlogWriter writer(file);
+    writer.write(*test::makeScan());
+    writer.checkpoint();
+    writer.discard();
+  }
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".partial"));
+}
+
 TEST_F(WrittenRawlog, CannotGoOnInAShorterFile) {
   {
     RawlogWriter interrupted(file);

@@ -279,6 +279,8 @@ TEST(YoloLayout, TellsRowsOfSuppressedDetectionsFromAnchors) {
   ASSERT_TRUE(v5);
   EXPECT_EQ(v5->version, Version::V5);
   EXPECT_EQ(v5->classes, 1);
+  // One anchor a cell: v8 turned round with two classes, or v5 without its three; no rows of suppressed detections.
+  EXPECT_FALSE(YoloLayout::fromShapes({1, 1680, 38}, {1, 32, 64, 80}, {320, 256}));
 }
 
 TEST(YoloLayout, RefusesAnchorsThatNoStrideExplains) {

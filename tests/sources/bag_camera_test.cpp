@@ -62,6 +62,19 @@ TEST(BagCamera, RefusesOtherLensesAndNamesTheRemedy) {
   EXPECT_EQ(complaint(info), "");
 }
 
+TEST(BagCamera, KnowsTheLensesOfRealSense) {
+  bags::CameraInfo info = sound();
+  info.distortionModel = "Brown Conrady";
+  EXPECT_EQ(cameraOf(info, "/device_0/sensor_1/Color_0/image/data", "").k2, -0.2);
+  info.distortionModel = "Inverse Brown Conrady";
+  info.d = {-0.05, 0.06, 0.0, 0.0, -0.02};
+  EXPECT_NEAR(cameraOf(info, "/device_0/sensor_1/Color_0/image/data", "").k1, 0.05, 0.01);
+  info.d = {-0.9, 0.0, 0.0, 0.0, 0.0};
+  EXPECT_THAT(complaint(info), AllOf(HasSubstr("Inverse Brown Conrady"), HasSubstr("--camera")));
+  info.distortionModel = "Kannala Brandt4";
+  EXPECT_THAT(complaint(info), HasSubstr("Kannala Brandt4"));
+}
+
 TEST(BagCamera, RefusesWhatIsNotCalibratedOrNotWhole) {
   bags::CameraInfo info = sound();
   info.k = {};

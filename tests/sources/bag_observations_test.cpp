@@ -19,6 +19,7 @@ using mrpt::obs::CObservation3DRangeScan;
 using mrpt::obs::CObservationIMU;
 using mrpt::obs::CObservationOdometry;
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -54,7 +55,7 @@ TEST(BagObservations, OneRecordingIsTheSameInAllKinds) {
   const Read first = readAll("none.bag");
   ASSERT_EQ(first.scans.size(), 3U);
   for (const char* name : {"bz2.bag", "lz4.bag", "compressed.bag", "none.mcap", "zstd.mcap", "lz4.mcap",
-                           "no_index.mcap", "unchunked.mcap", "sqlite"}) {
+                           "no_index.mcap", "unchunked.mcap", "sqlite", "sqlite_zstd"}) {
     const Read other = readAll(name);
     EXPECT_TRUE(other.damage.empty()) << name;
     ASSERT_EQ(other.scans.size(), 3U) << name;
@@ -99,6 +100,26 @@ TEST(BagObservations, ScansSayWhereTheCameraSits) {
                                               HasSubstr("depth from /camera/aligned_depth_to_color/image_raw"),
                                               HasSubstr("'base_link'"))));
   }
+}
+
+// Depth was seen by a camera of its own, 15 mm beside, in units of 0.1 mm.
+TEST(BagObservations, ReadsWhatRealSensesOwnRecorderWrites) {
+  const Read read = readAll("realsense.bag");
+  ASSERT_EQ(read.scans.size(), 3U);
+  const CObservation3DRangeScan& scan = *read.scans.front();
+  EXPECT_EQ(scan.sensorLabel, "/device_0/sensor_1/Color_0/image/data");
+  EXPECT_FLOAT_EQ(scan.rangeUnits, 0.0001F);
+  EXPECT_EQ(scan.rangeImage(5, 10), 1100);
+  EXPECT_EQ(scan.cameraParams.fx(), 50.0);
+  EXPECT_EQ(scan.cameraParamsIntensity.fx(), 52.5);
+  // In MRPT's sensor frame, whose -y is the camera's x: a colour camera to the right of that of depth.
+  EXPECT_NEAR(scan.relativePoseIntensityWRTDepth.y(), -0.015, 1e-7);
+  EXPECT_NEAR(scan.relativePoseIntensityWRTDepth.x(), 0.0, 1e-7);
+  EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr("depth from /device_0/sensor_0/Depth_0/image/data"),
+                                         HasSubstr("depth is registered here, by the transforms recorded"))));
+  SourceOptions options;
+  options.depth_units_per_m = 1000.0;
+  EXPECT_FLOAT_EQ(readAll("realsense.bag", options).scans.at(0)->rangeUnits, 0.001F);
 }
 
 TEST(BagObservations, HasOdometryAndInertia) {

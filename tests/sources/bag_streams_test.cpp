@@ -38,6 +38,23 @@ TEST(BagStreams, TakesColorAndRegisteredDepth) {
   EXPECT_EQ(bag.topics()[streams.colorInfo.value()].name, "/camera/color/camera_info");
 }
 
+TEST(BagStreams, KnowsWhatRealSensesOwnRecorderWrites) {
+  test::FakeBag bag;
+  bag.addRealSense("/device_0/sensor_0/Depth_0", "mono16", 400, 0.0);
+  bag.addRealSense("/device_0/sensor_0/Infrared_1", "8UC1", 400, 0.0);
+  bag.addRealSense("/device_0/sensor_1/Color_0", "rgb8", 600, 0.015);
+  bag.addNumber("/device_0/sensor_0/option/Depth_Units/value", 0.0001F);
+  const BagStreams streams = find(bag);
+  const auto nameOf = [&](std::size_t topic) { return bag.topics()[topic].name; };
+  EXPECT_EQ(nameOf(streams.color), "/device_0/sensor_1/Color_0/image/data");
+  EXPECT_EQ(nameOf(streams.depth), "/device_0/sensor_0/Depth_0/image/data");
+  EXPECT_EQ(nameOf(streams.colorInfo.value()), "/device_0/sensor_1/Color_0/info/camera_info");
+  EXPECT_EQ(nameOf(streams.depthInfo.value()), "/device_0/sensor_0/Depth_0/info/camera_info");
+  EXPECT_EQ(nameOf(streams.colorPlace.value()), "/device_0/sensor_1/Color_0/tf/0");
+  EXPECT_EQ(nameOf(streams.depthPlace.value()), "/device_0/sensor_0/Depth_0/tf/0");
+  EXPECT_EQ(nameOf(streams.depthUnit.value()), "/device_0/sensor_0/option/Depth_Units/value");
+}
+
 TEST(BagStreams, ListsTwoCamerasAndAsks) {
   test::FakeBag bag;
   addRealSense(bag, "/front");

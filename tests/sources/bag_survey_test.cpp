@@ -41,6 +41,21 @@ TEST_F(BagSurveyTest, PairsTheNearestInOrderOfStamps) {
   EXPECT_EQ(found.colors[1].entry, 3U);
 }
 
+TEST_F(BagSurveyTest, TakesPlacesAndUnitFromRealSensesOwnRecorder) {
+  bag.addRealSense("/device_0/sensor_1/Color_0", "rgb8", 600,
+                   -0.25);  // how a point of the device is seen by the stream
+  bag.addRealSense("/device_0/sensor_0/Depth_0", "mono16", 400, 0.5);
+  bag.addNumber("/device_0/sensor_0/option/Depth Units/value", 0.0001F);
+  const BagStreams streams = findStreams(bag, {}, true, "f.bag", [](const std::string&) {});
+  const BagSurvey found = survey(bag, streams, "f.bag", damage);
+  EXPECT_EQ(found.colorFrame, "/device_0/sensor_1/Color_0");
+  EXPECT_EQ(found.depthFrame, "/device_0/sensor_0/Depth_0");
+  const auto T_depth_color = found.transforms.T(found.depthFrame, found.colorFrame);
+  ASSERT_TRUE(T_depth_color);
+  EXPECT_NEAR(T_depth_color->translation().x(), 0.75, 1e-9);
+  EXPECT_NEAR(found.depthUnit_m.value(), 0.0001, 1e-9);
+}
+
 TEST_F(BagSurveyTest, DoublesCountOnce) {
   color(10.0);
   color(10.0);

@@ -22,7 +22,10 @@ class FakeBag : public bags::BagReader {
 
   void addImage(const std::string& topic, const std::string& encoding, double stamp_s,
                 const std::string& frame = "camera") {
-    const std::uint32_t step = encoding == "rgb8" ? 3 : encoding == "32FC1" ? 4 : encoding == "16UC1" ? 2 : 1;
+    const std::uint32_t step = encoding == "rgb8"                            ? 3
+                               : encoding == "32FC1"                         ? 4
+                               : encoding == "16UC1" || encoding == "mono16" ? 2
+                                                                             : 1;
     add(topic, "sensor_msgs/Image", stamp_s,
         header(stamp_s, frame)
             .number<std::uint32_t>(1)
@@ -46,6 +49,19 @@ class FakeBag : public bags::BagReader {
     for (int i = 0; i < 6; ++i) message.number<std::uint32_t>(0);
     message.number<std::uint8_t>(0);
     add(topic, "sensor_msgs/CameraInfo", stamp_s, message.bytes());
+  }
+
+  /// As RealSense's own recorder writes a stream: where it sits, and images whose frame is called "0".
+  void addRealSense(const std::string& stream, const std::string& encoding, double focal_px, double x_m) {
+    addInfo(stream + "/info/camera_info", 0.0, focal_px);
+    BytesMaker place;
+    for (const double number : {x_m, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}) place.number(number);
+    add(stream + "/tf/0", "geometry_msgs/Transform", 0.0, place.bytes());
+    addImage(stream + "/image/data", encoding, 10.0, "0");
+  }
+
+  void addNumber(const std::string& topic, float number) {
+    add(topic, "std_msgs/Float32", 0.0, BytesMaker().number(number).bytes());
   }
 
   [[nodiscard]] bags::Bytes read(std::size_t entry) override { return messages_.at(entry); }

@@ -180,6 +180,22 @@ TEST_F(RgbdCameraFile, ReadsThoseOfOpen3dAndNiceSlam) {
                   5000.0);
 }
 
+TEST_F(RgbdCameraFile, ReadsNumbersAlone) {
+  for (const char* text : {"525 526 319.5 239.5\n", "525.0, 526.0, 319.5, 239.5", "525 0 319.5\n0 526 239.5\n0 0 1\n",
+                           "5.25e2 0 319.5 0\n0 526 239.5 0\n0 0 1 0\n0 0 0 1\n"}) {
+    const auto camera = read(text);
+    EXPECT_EQ(camera.color.width_px, 0) << text;
+    EXPECT_EQ(camera.color.fx_px, 525.0) << text;
+    EXPECT_EQ(camera.color.fy_px, 526.0) << text;
+    EXPECT_EQ(camera.color.cx_px, 319.5) << text;
+    EXPECT_EQ(camera.color.cy_px, 239.5) << text;
+    EXPECT_EQ(camera.depth_units_per_m, 0.0) << text;
+  }
+  for (const char* text : {"525 526 319.5\n", "525 1 319.5 0 526 239.5 0 0 1", "Pinhole 525 526 319.5 239.5\n"}) {
+    EXPECT_THROW(static_cast<void>(read(text)), core::InputError) << text;
+  }
+}
+
 TEST_F(RgbdCameraFile, SaysAsWhatAForeignFileIsRead) {
   EXPECT_THAT(notesOf("%YAML:1.0\nCamera.fx: 525.0\nCamera.fy: 526.0\nCamera.cx: 319.5\nCamera.cy: 239.5\n"
                       "Camera.width: 640\nCamera.height: 480\nDepthMapFactor: 5000.0\n"),

@@ -204,11 +204,45 @@ TEST(TumFolderSource, ReadsFloatingPointDepthAsMetres) {
   for (int x = 0; x < 4; ++x) EXPECT_EQ(scan->rangeImage(0, x), 0) << x;
 }
 
+// OpenCV was told to read EXR before the first such image was met.
+TEST(TumFolderSource, ReadsExrAsMetres) {
+  setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 0);  // for writing it here
+  const TumFolder folder(1);
+  folder.write("camera.yaml", "width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 15.5\ncy: 11.5\n");
+  cv::Mat depth(24, 32, CV_32FC1, cv::Scalar(1.5));
+  depth.at<float>(0, 0) = std::numeric_limits<float>::infinity();
+  folder.writeImage("depth/0.exr", depth);
+  folder.write("depth.txt", TumFolder::stamp(TumFolder::depthStamp_s(0)) + " depth/0.exr\n");
+  TumFolderSource source(folder.path(), {});
+  const auto scan = source.next();
+  ASSERT_TRUE(scan);
+  EXPECT_NEAR(scan->rangeImage(5, 5) * static_cast<double>(scan->rangeUnits), 1.5, 1e-6);
+  EXPECT_EQ(scan->rangeImage(0, 0), 0);
+}
+
+TEST(TumFolderSource, TakesTheCalibrationOfEth3d) {
+  const TumFolder folder(1);
+  std::filesystem::remove(folder.path() / "camera.yaml");
+  folder.write("calibration.txt", "30 31 15.5 11.5\n");
+  EXPECT_THAT([&] { TumFolderSource(folder.path(), {}); },
+              ThrowsMessage<core::InputError>(HasSubstr("calibration.txt: does not say how many units")));
+  SourceOptions options;
+  options.depth_units_per_m = 5000.0;
+  std::vector<std::string> notes;
+  options.note = [&](const std::string& sentence) { notes.push_back(sentence); };
+  TumFolderSource source(folder.path(), options);
+  const auto scan = source.next();
+  ASSERT_TRUE(scan);
+  EXPECT_EQ(scan->cameraParams.fy(), 31.0);
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("numbers alone"), HasSubstr("32x24")));
+}
+
 TEST(TumFolderSource, NumbersOfImagesCountAtTheCamerasRate) {
   const TumFolder folder(3);
   folder.write("camera.yaml",
                "width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 15.5\ncy: 11.5\ndepth_factor: 5000\nfps: 10\n");
   folder.write("associations.txt", "0 rgb/0.png 0 depth/0.png\n1 rgb/1.png 1 depth/1.png\n2 rgb/2.png 2 depth/2.png\n");
+  EXPECT_EQ(TumFolderSource(folder.path(), {}).rate_hz(), 10.0);
   const Reading reading(folder.path());
   EXPECT_THAT(reading.stamps_s, ElementsAre(::testing::DoubleNear(0.0, 1e-6), ::testing::DoubleNear(0.1, 1e-6),
                                             ::testing::DoubleNear(0.2, 1e-6)));

@@ -118,6 +118,16 @@ std::vector<Transform> readTransforms(ByteView message, Wire wire) {
   return transforms;
 }
 
+Eigen::Isometry3d readTransform(ByteView message, Wire wire) {
+  FieldReader fields(message, wire);
+  return poseOf(fields);
+}
+
+float readFloat32(ByteView message, Wire wire) {
+  FieldReader fields(message, wire);
+  return fields.number<float>();
+}
+
 Odometry readOdometry(ByteView message, Wire wire) {
   FieldReader fields(message, wire);
   Odometry odometry;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "chunked_bag.h"
 #include "decompress.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/first_bytes.h"
 
 namespace wardslam::bags {
 namespace {
@@ -18,9 +20,30 @@ bool isPacked(const Bytes& message) {
   return message.size() > kZstdMagic.size() && std::equal(kZstdMagic.begin(), kZstdMagic.end(), message.begin());
 }
 
+std::uint64_t bigEndian(const std::string& bytes, std::size_t at, std::size_t count) {
+  std::uint64_t number = 0;
+  for (std::size_t i = at; i < at + count; ++i) number = number << 8U | static_cast<std::uint8_t>(bytes[i]);
+  return number;
+}
+
+/// "is cut off: 1000 of 4096 bytes are there"; empty where the header counts no more pages than there are. SQLite
+/// itself does not mind while nobody asks for the others.
+std::string missingPages(const std::filesystem::path& file) {
+  constexpr std::size_t kHeader_bytes = 100, kPageSize = 16, kChanges = 24, kPages = 28, kPagesOfChange = 92;
+  const std::string header = core::firstBytes(file, kHeader_bytes);
+  if (header.size() < kHeader_bytes) return "is cut off within its header";
+  const bool isCounted = bigEndian(header, kChanges, 4) == bigEndian(header, kPagesOfChange, 4);
+  const std::uint64_t page_bytes = bigEndian(header, kPageSize, 2);
+  const std::uint64_t expected = bigEndian(header, kPages, 4) * (page_bytes == 1 ? 65536 : page_bytes);
+  const std::uint64_t there = std::filesystem::file_size(file);
+  if (!isCounted || there >= expected) return {};
+  return "is cut off: " + std::to_string(there) + " of " + std::to_string(expected) + " bytes are there";
+}
+
 }  // namespace
 
 SqliteBag::SqliteBag(const std::filesystem::path& path) : path_(path) {
+  const std::string missing = missingPages(path);
   try {
     database_ = std::make_unique<SQLite::Database>(path.string(), SQLite::OPEN_READONLY);
     if (!database_->tableExists("topics") || !database_->tableExists("messages")) {
@@ -30,7 +53,8 @@ SqliteBag::SqliteBag(const std::filesystem::path& path) : path_(path) {
     listTopics();
     fetch_ = std::make_unique<SQLite::Statement>(*database_, "SELECT data FROM messages WHERE id = ?");
   } catch (const SQLite::Exception& error) {
-    throw core::InputError(path.string() + ": cannot be read as a ROS 2 bag: " + error.what());
+    throw core::InputError(path.string() + ": cannot be read as a ROS 2 bag: " +
+                           (missing.empty() ? error.what() : missing + "; copy it again"));
   }
   try {
     listMessages();
@@ -38,6 +62,9 @@ SqliteBag::SqliteBag(const std::filesystem::path& path) : path_(path) {
     damage_.emplace_back("sources.bag_truncated", std::string("is cut off or damaged (") + error.what() + "); the " +
                                                       std::to_string(entries_.size()) +
                                                       " messages that could be listed are read");
+  }
+  if (damage_.empty() && !missing.empty()) {
+    damage_.emplace_back("sources.bag_truncated", missing + "; the messages that are left are read");
   }
 }
 

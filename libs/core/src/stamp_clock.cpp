@@ -13,6 +13,7 @@ constexpr double kLargestSeconds = 1e11;  // the year 5138
 constexpr double kLargestMilliseconds = 1e14;
 constexpr double kLargestMicroseconds = 1e17;
 constexpr double kLargestFrame = 1e8;  // at 30 a second, 38 days
+constexpr std::size_t kLeastWithPoint = 10;
 constexpr double kShortestStep_ms = 15.0;
 constexpr double kLongestStep_ms = 200.0;
 constexpr double kShortestStep_us = 5e3;
@@ -25,6 +26,13 @@ std::optional<double> numberIn(std::string_view word) {
   const auto [parsedTo, error] = std::from_chars(word.data(), end, number);
   if (error != std::errc() || parsedTo != end || !std::isfinite(number)) return std::nullopt;
   return number;
+}
+
+/// "722" and "722.000000", not "722.5" nor "7e2".
+bool isWhole(std::string_view stamp) {
+  const std::size_t point = stamp.find('.');
+  return stamp.find_first_of("eE") == std::string_view::npos &&
+         (point == std::string_view::npos || stamp.find_first_not_of('0', point + 1) == std::string_view::npos);
 }
 
 double median(std::vector<double> values) {
@@ -113,19 +121,22 @@ std::optional<StampUnit> recogniseStampUnit(const std::vector<std::string_view>&
   std::vector<double> numbers;
   bool areWhole = true;
   bool arePadded = false;
+  bool havePoints = false;
   for (const std::string_view stamp : stamps) {
     const auto number = numberIn(stamp);
     if (!number) continue;  // whoever reads the list tells of it
     numbers.push_back(*number);
-    areWhole = areWhole && stamp.find_first_of(".eE") == std::string_view::npos;
-    arePadded = arePadded || (stamp.size() > 1 && stamp.front() == '0');
+    areWhole = areWhole && isWhole(stamp);
+    havePoints = havePoints || stamp.find('.') != std::string_view::npos;
+    arePadded = arePadded || (stamp.find('.') == std::string_view::npos && stamp.size() > 1 && stamp.front() == '0');
   }
   if (numbers.empty()) return StampUnit::Seconds;
   const double size = median(numbers);
   if (size >= kLargestMicroseconds) return StampUnit::Nanoseconds;
   if (size >= kLargestMilliseconds) return StampUnit::Microseconds;
   if (size >= kLargestSeconds) return StampUnit::Milliseconds;
-  if (!areWhole) return StampUnit::Seconds;
+  // A few whole seconds may be just these; nobody takes images for long exactly at every full second.
+  if (!areWhole || (havePoints && numbers.size() < kLeastWithPoint)) return StampUnit::Seconds;
   return arePadded && numbers.size() > 1 ? StampUnit::Frames : unitBySteps(numbers);
 }
 

@@ -18,6 +18,7 @@ void putPosition(core::ByteWriter& out, const Eigen::Vector3f& p_map_m) {
   for (const float coordinate : p_map_m) out.put(coordinate);
 }
 
+/// The class twice: CloudCompare takes properties called scalar_…, PCL a label of 4 bytes.
 Records plyRecords(const mapping::SemanticMap& map) {
   Records records;
   mapping::forEachCloudPoint(map, [&records](const Eigen::Vector3f& p_map_m, const mapping::SemanticPoint& point) {
@@ -25,6 +26,7 @@ Records plyRecords(const mapping::SemanticMap& map) {
     for (const std::uint8_t channel : point.color_rgb) records.bytes.put(channel);
     records.bytes.put(point.classId);
     records.bytes.put(point.object);
+    records.bytes.put(std::uint32_t{point.classId});
     ++records.count;
   });
   return records;
@@ -65,7 +67,7 @@ void exportPly(const mapping::SemanticMap& map, const std::filesystem::path& fil
             std::to_string(records.count) +
             "\nproperty float x\nproperty float y\nproperty float z\n"
             "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-            "property uchar class\nproperty uint instance\nend_header\n",
+            "property uchar scalar_class\nproperty uint scalar_instance\nproperty uint label\nend_header\n",
         records);
 }
 

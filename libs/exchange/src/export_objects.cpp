@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include <algorithm>
+#include "polygons.h"
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/exchange/map_export.h"
 
@@ -11,18 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A ring closed, and counter-clockwise as GeoJSON wants outer rings.
-Json ringOf(std::vector<Eigen::Vector2d> corners_m) {
-  double twiceArea = 0.0;
-  for (std::size_t i = 0; i < corners_m.size(); ++i) {
-    const auto& a = corners_m[i];
-    const auto& b = corners_m[(i + 1) % corners_m.size()];
-    twiceArea += a.x() * b.y() - a.y() * b.x();
-  }
-  if (twiceArea < 0) std::reverse(corners_m.begin(), corners_m.end());
+Json ringOf(const std::vector<Eigen::Vector2d>& corners_m) {
   Json ring = Json::array();
-  for (const auto& corner : corners_m) ring.push_back({corner.x(), corner.y()});
-  if (!ring.empty()) ring.push_back(Json(ring.front()));
+  for (const auto& corner : closedRing(corners_m)) ring.push_back({corner.x(), corner.y()});
   return ring;
 }
 
@@ -30,12 +21,6 @@ Json featureOf(const std::vector<Eigen::Vector2d>& polygon_m, const Json& proper
   return {{"type", "Feature"},
           {"geometry", {{"type", "Polygon"}, {"coordinates", Json::array({ringOf(polygon_m)})}}},
           {"properties", properties}};
-}
-
-std::vector<Eigen::Vector2d> footprintOf(const mapping::MapObject& object) {
-  const Eigen::Vector2d min = object.box_m.min().head<2>();
-  const Eigen::Vector2d max = object.box_m.max().head<2>();
-  return {min, {max.x(), min.y()}, max, {min.x(), max.y()}};
 }
 
 Json featureOf(const mapping::MapObject& object, const core::LabelSpace& labels) {

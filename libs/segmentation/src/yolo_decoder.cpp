@@ -182,7 +182,9 @@ std::optional<YoloLayout> YoloLayout::fromShapes(const std::vector<int>& detecti
   if (*std::min_element(prototypes.begin(), prototypes.end()) < 1) return std::nullopt;
   YoloLayout layout;
   const bool hasEndToEndValues = detections[2] == kEndToEndValues + prototypes[1];
-  if (!input_px.empty() && hasEndToEndValues && !isExplainedByStrides(detections[1], input_px, kAnchorsPerCell)) {
+  const bool areAnchors = isExplainedByStrides(detections[1], input_px, kAnchorsPerCell) ||
+                          isExplainedByStrides(detections[1], input_px, 1);
+  if (!input_px.empty() && hasEndToEndValues && !areAnchors) {
     layout.version = Version::EndToEnd;
     layout.anchors = detections[1];
     layout.prototypes = prototypes[1];

@@ -1,8 +1,11 @@
 #include "bag_camera.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 
+#include "inverse_lens.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::sources {
@@ -17,18 +20,36 @@ std::string baseName(const std::string& topic) {
   return withoutTransport.substr(withoutTransport.find_last_of('/') + 1);
 }
 
+/// RealSense writes "Brown Conrady", which is plumb bob, and "Inverse Brown Conrady".
+std::string modelOf(const bags::CameraInfo& info) {
+  std::string name = info.distortionModel;
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(letter == ' ' ? '_' : std::tolower(letter)); });
+  return name == "brown_conrady" ? "plumb_bob" : name;
+}
+
+void setInverse(const bags::CameraInfo& info, core::CameraModel& camera, const std::string& where) {
+  constexpr double kTolerated_px = 0.5;
+  std::array<double, kPlumbBob> inverse{};
+  std::copy(info.d.begin(), info.d.end(), inverse.begin());
+  if (const auto error_px = setInverseLens(camera, inverse); error_px && *error_px < kTolerated_px) return;
+  throw core::InputError(where + ": its lens ('" + info.distortionModel + "') has no counterpart of plumb_bob" +
+                         kRemedy);
+}
+
 void setDistortion(const bags::CameraInfo& info, core::CameraModel& camera, const std::string& where) {
   const auto isZero = [](double coefficient) { return coefficient == 0.0; };
   if (std::all_of(info.d.begin(), info.d.end(), isZero)) return;
-  const std::string& model = info.distortionModel;
+  const std::string model = modelOf(info);
+  if (model == "inverse_brown_conrady" && info.d.size() <= kPlumbBob) return setInverse(info, camera, where);
   const bool isPlumbBob = model == "plumb_bob" && info.d.size() <= kPlumbBob;
   // The rational model with k4, k5 and k6 zero is plumb bob.
   const bool isAlike = (model == "rational_polynomial" || model == "plumb_bob") && info.d.size() <= 8 &&
                        std::all_of(info.d.begin() + static_cast<std::ptrdiff_t>(std::min(kPlumbBob, info.d.size())),
                                    info.d.end(), isZero);
   if (!isPlumbBob && !isAlike) {
-    throw core::InputError(where + ": its lens is described as '" + model + "' with " + std::to_string(info.d.size()) +
-                           " coefficients, which is not read (plumb_bob is)" + kRemedy);
+    throw core::InputError(where + ": its lens is described as '" + info.distortionModel + "' with " +
+                           std::to_string(info.d.size()) + " coefficients, which is not read (plumb_bob is)" + kRemedy);
   }
   double* const coefficients[] = {&camera.k1, &camera.k2, &camera.p1, &camera.p2, &camera.k3};
   for (std::size_t i = 0; i < std::min(kPlumbBob, info.d.size()); ++i) *coefficients[i] = info.d[i];

@@ -13,6 +13,7 @@
 #include "bag_rig.h"
 #include "bag_streams.h"
 #include "bag_survey.h"
+#include "depth_scale_check.h"
 #include "observation_check.h"
 #include "wardslam/bags/image_decoding.h"
 #include "wardslam/core/errors.h"
@@ -53,7 +54,6 @@ class BagObservations::Reading {
   Reading(const std::filesystem::path& file, const SourceOptions& options)
       : file_(file.string()),
         note_(options.note),
-        depth_units_per_m_(options.depth_units_per_m),
         damage_(options.warn),
         bag_(bags::openBag(file)),
         given_(givenCamera(options)) {
@@ -63,6 +63,8 @@ class BagObservations::Reading {
     const auto color = given_ ? std::optional(given_->color) : std::nullopt;
     rig_ = rigOf(found, topic(streams_.color).name, topic(streams_.depth).name, color, file_);
     transforms_ = found.transforms;
+    unit_m_ = found.depthUnit_m;
+    if (options.depth_units_per_m) unit_m_ = 1.0 / *options.depth_units_per_m;
     plan(found);
     tell(found);
   }
@@ -155,6 +157,7 @@ class BagObservations::Reading {
     depth.units.copyTo(cv::Mat(depth.units.size(), CV_16UC1, scan->rangeImage.data()));
     placeCameras(*scan);
     if (const auto reason = whyUnusable(*scan)) throw InputDamage("sources.observation_unusable", *reason);
+    if (const auto sentence = scaleCheck_.add(*scan)) noteOnce(*sentence);
     return scan;
   }
 
@@ -185,7 +188,7 @@ class BagObservations::Reading {
     const bool isCompressed = about.type == "sensor_msgs/CompressedImage";
     bags::DepthImage depth = isCompressed ? bags::decodeDepth(bags::readCompressedImage(message, about.wire))
                                           : bags::decodeDepth(bags::readImage(message, about.wire));
-    if (depth_units_per_m_ && !depth.isOfMetres) depth.unit_m = 1.0 / *depth_units_per_m_;
+    if (unit_m_ && !depth.isOfMetres) depth.unit_m = *unit_m_;
     if (depth.tooFar > 0) noteOnce(about.name + " has depths beyond 13.1 m, which are left out");
     return depth;
   }
@@ -240,8 +243,9 @@ class BagObservations::Reading {
 
   std::string file_;
   NoteSink note_;
-  std::optional<double> depth_units_per_m_;  ///< Replaces millimetres.
+  std::optional<double> unit_m_;  ///< Replaces millimetres.
   DamageLog damage_;
+  DepthScaleCheck scaleCheck_;
   std::unique_ptr<bags::BagReader> bag_;
   std::optional<RgbdCamera> given_;
   BagStreams streams_;

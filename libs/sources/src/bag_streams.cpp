@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <tuple>
 
 #include "wardslam/bags/image_decoding.h"
@@ -19,6 +20,8 @@ constexpr const char* kImage = "sensor_msgs/Image";
 constexpr const char* kCompressedImage = "sensor_msgs/CompressedImage";
 constexpr const char* kCameraInfo = "sensor_msgs/CameraInfo";
 constexpr const char* kOdometry = "nav_msgs/Odometry";
+constexpr const char* kTransform = "geometry_msgs/Transform";
+constexpr const char* kNumber = "std_msgs/Float32";
 const std::vector<std::string> kImages = {kImage, kCompressedImage};
 
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
@@ -36,7 +39,9 @@ std::string listed(const BagReader& bag, const std::vector<std::size_t>& topics)
 std::string allTopics(const BagReader& bag) {
   std::vector<std::size_t> all(bag.topics().size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  return all.empty() ? "it holds no topic" : "its topics are " + listed(bag, all);
+  if (!all.empty()) return "its topics are " + listed(bag, all);
+  return bag.damage().empty() ? std::string("it holds no topic")
+                              : std::string("it holds no topic, and ") + bag.damage().front().what();
 }
 
 /// The name without what image_transport appends for a packing.
@@ -189,6 +194,26 @@ class Finder {
     return one(all, "calibrations, of which none stands beside " + bag_.topics()[color].name, "--info");
   }
 
+  /// Of /device_0/sensor_1/Color_0/image/data as RealSense's own recorder writes it: /device_0/sensor_1/Color_0/tf/0.
+  [[nodiscard]] std::optional<std::size_t> placeOf(std::size_t images) const {
+    const std::string stream = realSenseStream(bag_.topics()[images].name);
+    for (const std::size_t i : stream.empty() ? std::vector<std::size_t>() : ofType({kTransform})) {
+      if (bag_.topics()[i].name.compare(0, stream.size() + 4, stream + "/tf/") == 0) return i;
+    }
+    return std::nullopt;
+  }
+
+  /// Of /device_0/sensor_0/Depth_0/image/data: /device_0/sensor_0/option/Depth Units/value.
+  [[nodiscard]] std::optional<std::size_t> unitOf(std::size_t images) const {
+    const std::string stream = realSenseStream(bag_.topics()[images].name);
+    const std::string options = stream.substr(0, stream.find_last_of('/') + 1) + "option/Depth";
+    for (const std::size_t i : stream.empty() ? std::vector<std::size_t>() : ofType({kNumber})) {
+      const std::string& name = bag_.topics()[i].name;
+      if (name == options + " Units/value" || name == options + "_Units/value") return i;
+    }
+    return std::nullopt;
+  }
+
  private:
   BagReader& bag_;
   const std::string& file_;
@@ -203,6 +228,13 @@ bool isRegisteredByName(const std::string& depthTopic) {
          contains(depthTopic, "to_rgb");
 }
 
+std::string realSenseStream(const std::string& imageTopic) {
+  constexpr std::string_view kEnd = "/image/data";
+  if (imageTopic.compare(0, 8, "/device_") != 0 || imageTopic.size() <= kEnd.size()) return {};
+  const std::size_t end = imageTopic.size() - kEnd.size();
+  return imageTopic.compare(end, kEnd.size(), kEnd) == 0 ? imageTopic.substr(0, end) : std::string();
+}
+
 BagStreams findStreams(BagReader& bag, const BagTopics& wishes, bool needsInfo, const std::string& file,
                        const NoteSink& note) {
   const Finder finder(bag, file);
@@ -211,6 +243,9 @@ BagStreams findStreams(BagReader& bag, const BagTopics& wishes, bool needsInfo, 
   streams.colorInfo = needsInfo ? finder.info(streams.color, wishes.info) : finder.infoBeside(streams.color);
   streams.depthInfo = finder.infoBeside(streams.depth);
   streams.transforms = finder.ofType({"tf2_msgs/TFMessage", "tf/tfMessage"});
+  streams.colorPlace = finder.placeOf(streams.color);
+  streams.depthPlace = finder.placeOf(streams.depth);
+  streams.depthUnit = finder.unitOf(streams.depth);
   streams.imus = finder.ofType({"sensor_msgs/Imu"});
   const auto odometries = wishes.odometry.empty()
                               ? finder.ofType({kOdometry})

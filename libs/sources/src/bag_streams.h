@@ -20,6 +20,9 @@ struct BagStreams {
   std::optional<std::size_t> odometry;
   std::vector<std::size_t> imus;
   std::vector<std::size_t> transforms;
+  std::optional<std::size_t> colorPlace;  ///< Where RealSense's own recorder says that the cameras sit …
+  std::optional<std::size_t> depthPlace;
+  std::optional<std::size_t> depthUnit;  ///< … and what a unit of depth is.
 };
 
 /// Finds them by type, name and the encoding of the first image; a topic in `wishes` is taken as it is. Colour comes
@@ -28,6 +31,10 @@ struct BagStreams {
 /// there is none.
 [[nodiscard]] BagStreams findStreams(bags::BagReader& bag, const BagTopics& wishes, bool needsInfo,
                                      const std::string& file, const NoteSink& note);
+
+/// "/device_0/sensor_1/Color_0" of a topic of images of RealSense's own recorder (librealsense, RealSense Viewer),
+/// which writes bags of ROS 1 by rules of its own; empty: of another.
+[[nodiscard]] std::string realSenseStream(const std::string& imageTopic);
 
 /// Whether the name of a depth topic says that its images are registered to the colour camera.
 [[nodiscard]] bool isRegisteredByName(const std::string& depthTopic);

@@ -41,9 +41,20 @@ class Surveyor {
     const bool isImu = isAmong(streams_.imus, topic);
     const bool isStamped = topic == streams_.color || topic == streams_.depth || topic == streams_.odometry || isImu;
     const bool isInfo = topic == streams_.colorInfo || topic == streams_.depthInfo;
-    if (!isStamped && !isInfo && !isTransform) return;
+    const bool isPlace = topic == streams_.colorPlace || topic == streams_.depthPlace;
+    const bool isUnit = topic == streams_.depthUnit;
+    if (!isStamped && !isInfo && !isTransform && !isPlace && !isUnit) return;
     const bags::Bytes message = bag_.read(entry);
     const bags::Wire wire = bag_.topics()[topic].wire;
+    if (isUnit) {
+      const double unit_m = bags::readFloat32(message, wire);
+      if (unit_m > 0.0 && unit_m < 1.0) found_.depthUnit_m = unit_m;
+      return;
+    }
+    if (isPlace) {
+      addPlace(topic, bags::readTransform(message, wire));
+      return;
+    }
     if (isTransform) {
       for (const bags::Transform& transform : bags::readTransforms(message, wire)) found_.transforms.add(transform);
       return;
@@ -74,6 +85,7 @@ class Surveyor {
     for (auto* messages : {&found_.colors, &found_.depths, &found_.odometries}) sortByStamp(*messages);
     std::stable_sort(found_.imus.begin(), found_.imus.end(),
                      [](const BagMessage& a, const BagMessage& b) { return a.stamp_s < b.stamp_s; });
+    nameRealSenseFrames();
     found_.pairs = core::associateByStamp(stampsOf(found_.colors), stampsOf(found_.depths));
     if (found_.pairs.empty()) failWithoutPairs(file);
     return std::move(found_);
@@ -88,6 +100,27 @@ class Surveyor {
                        const bags::Header& header) {
     if (images.empty()) frame = header.frame;
     images.push_back(stamped);
+  }
+
+  /// RealSense tells how a point of the device is seen by the stream, one for all streams of a device.
+  void addPlace(std::size_t topic, const Eigen::Isometry3d& T_stream_device) {
+    const auto add = [&](std::size_t images) {
+      const std::string stream = realSenseStream(bag_.topics()[images].name);
+      bags::Transform place;
+      place.header.frame =
+          bag_.topics()[topic].name.substr(stream.size()) + " of " + stream.substr(0, stream.find('/', 1));
+      place.child = stream;
+      place.T_parent_child = T_stream_device.inverse();
+      found_.transforms.add(place);
+    };
+    if (topic == streams_.colorPlace) add(streams_.color);
+    if (topic == streams_.depthPlace) add(streams_.depth);
+  }
+
+  /// It calls the frames of all its images "0".
+  void nameRealSenseFrames() {
+    if (streams_.colorPlace) found_.colorFrame = realSenseStream(bag_.topics()[streams_.color].name);
+    if (streams_.depthPlace) found_.depthFrame = realSenseStream(bag_.topics()[streams_.depth].name);
   }
 
   /// One topic may be the calibration of both.

@@ -34,6 +34,7 @@ struct BagSurvey {
   std::string robotFrame;  ///< As odometry calls it; empty: there is none.
   std::optional<bags::CameraInfo> colorInfo;
   std::optional<bags::CameraInfo> depthInfo;
+  std::optional<double> depthUnit_m;  ///< Where the recording tells it.
   bool infoChanges = false;
   bool hasNoStamps = false;  ///< Images have no stamps: when they were recorded is taken.
   BagTransforms transforms;

@@ -4,12 +4,13 @@
 #include <zstd.h>
 
 #include <algorithm>
-#include <array>
 #include <climits>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "wardslam/core/errors.h"
+#include "wardslam/core/first_bytes.h"
 
 namespace wardslam::sources {
 namespace {
@@ -78,12 +79,8 @@ class ZstdBytes : public ByteSource {
 };
 
 bool isZstd(const fs::path& file) {
-  constexpr std::array<unsigned char, 4> kMagic = {0x28, 0xB5, 0x2F, 0xFD};
-  std::array<char, 4> first{};
-  std::ifstream in(file, std::ios::binary);
-  return in.read(first.data(), first.size()) &&
-         std::equal(first.begin(), first.end(), kMagic.begin(),
-                    [](char a, unsigned char b) { return static_cast<unsigned char>(a) == b; });
+  constexpr std::string_view kMagic = "\x28\xB5\x2F\xFD";
+  return core::firstBytes(file, kMagic.size()) == kMagic;
 }
 
 }  // namespace

@@ -52,14 +52,18 @@ FolderCamera chooseFolderCamera(const fs::path& folder, const SourceOptions& opt
     chosen.file = *options.camera;
   } else if (fs::exists(folder / "camera.yaml")) {
     chosen.file = folder / "camera.yaml";
+  } else if (fs::exists(folder / "calibration.txt")) {
+    chosen.file = folder / "calibration.txt";  // of ETH3D
   } else if (const auto tum = tumCameraOf(folder)) {
     chosen.file = core::findDataFile("cameras/tum_freiburg" + tum->number + ".yaml");
     options.note(folder.string() + ": the camera is taken to be TUM's freiburg" + tum->number + ", as " + tum->reason +
                  " says");
   } else {
-    throw core::InputError(folder.string() + ": the camera is not known: there is no camera.yaml, and neither is the " +
-                           "folder called rgbd_dataset_freiburgN nor does a comment in its lists name such a " +
-                           "recording; give --camera with one of " + listCameraFiles() + " or a file like these");
+    throw core::InputError(
+        folder.string() +
+        ": the camera is not known: there is neither camera.yaml nor calibration.txt, and neither is the " +
+        "folder called rgbd_dataset_freiburgN nor does a comment in its lists name such a " +
+        "recording; give --camera with one of " + listCameraFiles() + " or a file like these");
   }
   chosen.camera = readRgbdCamera(chosen.file, options.note);
   if (options.depth_units_per_m) chosen.camera.depth_units_per_m = *options.depth_units_per_m;

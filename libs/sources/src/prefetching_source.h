@@ -28,6 +28,7 @@ class PrefetchingSource : public ObservationSource {
   [[nodiscard]] const core::EventCounts& damage() const override { return damage_; }
   [[nodiscard]] SensorCounts sensors() const override { return sensors_; }
   [[nodiscard]] core::DepthNoise depthNoise() const override { return depthNoise_; }
+  [[nodiscard]] double rate_hz() const override { return rate_hz_; }
 
  private:
   /// What one call of the inner next() brought.
@@ -51,6 +52,7 @@ class PrefetchingSource : public ObservationSource {
   std::unique_ptr<ObservationSource> inner_;
   std::optional<std::size_t> size_;
   core::DepthNoise depthNoise_;
+  double rate_hz_;
   core::EventCounts damage_;
   SensorCounts sensors_;
   bool ended_ = false;

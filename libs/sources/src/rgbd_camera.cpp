@@ -135,12 +135,13 @@ RgbdCamera readRgbdCamera(const fs::path& file, const std::function<void(const s
   std::optional<RgbdCamera> camera;
   std::string program;
   for (const CameraFormat& format : cameraFormats()) {
-    if (!root.exists() || !root.yaml().IsMap() || !(camera = format.read(root))) continue;
+    if (!root.exists() || !(camera = format.read(root))) continue;
     program = format.program;
     break;
   }
   if (!camera) camera = readOwn(root);
-  if (root.exists() && camera->depth_units_per_m == 0.0) camera->depth_units_per_m = depthFactorIn(root);
+  if (root.exists() && root.yaml().IsMap() && camera->depth_units_per_m == 0.0)
+    camera->depth_units_per_m = depthFactorIn(root);
   requireSound(camera->color, root);
   if (!program.empty()) note(file.string() + ": is read as a calibration of " + program + ": " + numbersText(*camera));
   tellWhatIsOdd(camera->color, file, note);

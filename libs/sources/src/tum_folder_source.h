@@ -31,6 +31,7 @@ class TumFolderSource : public ObservationSource {
   [[nodiscard]] std::optional<std::size_t> size() const override { return pairs_.size(); }
   [[nodiscard]] const core::EventCounts& damage() const override;
   [[nodiscard]] core::DepthNoise depthNoise() const override { return camera_.camera.color.depthNoise; }
+  [[nodiscard]] double rate_hz() const override { return camera_.camera.rate_hz; }
 
  private:
   [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> read(const ImagePair& pair) const;

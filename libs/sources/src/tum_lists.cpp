@@ -49,7 +49,7 @@ core::StampClock clockOf(const Lines& lines, std::size_t image, const fs::path& 
   const auto unit = core::recogniseStampUnit(stamps);
   if (unit) return core::StampClock(*unit, rate_hz);
   throw core::InputError(at(list, lines.front().number) + "stamps such as '" + lines.front().entries[image].stampText +
-                         "' may count milliseconds as well as images; write the list in seconds, with a point");
+                         "' may count milliseconds as well as images; write the list in seconds, such as 12.345");
 }
 
 /// Gives every image its time; the clock that was read.

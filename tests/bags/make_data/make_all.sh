@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes ../data again. Wanted: python3 with Pillow and, from Debian 12, python3-rosbag, python3-sensor-msgs,
-# python3-nav-msgs, python3-tf2-msgs (in PYTHONPATH); node with
+# python3-nav-msgs, python3-tf2-msgs, python3-geometry-msgs, python3-std-msgs (in PYTHONPATH); zstd; node with
 # npm install @mcap/core @foxglove/rosmsg @foxglove/rosmsg2-serialization @foxglove/wasm-zstd lz4js in the folder WORK.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -22,4 +22,6 @@ mcap "$data/no_index.mcap" zstd --chunk 20000 --no-index
 mcap "$data/unchunked.mcap" unchunked
 mcap "$data/float.mcap" zstd --float
 python3 "$here/rosbag2_sqlite.py" "$work/messages.json" "$data/sqlite" --split 9
+python3 "$here/rosbag2_zstd.py" "$data/sqlite" "$data/sqlite_zstd"
+python3 "$here/realsense_bag.py" "$work/scene" "$data/realsense.bag"
 ls -l "$data" "$data/sqlite"

@@ -7,7 +7,7 @@ const std::vector<CameraFormat>& cameraFormats() {
       {"ORB-SLAM", readOrbSlamCamera},     {"stella_vslam", readStellaCamera},
       {"ROS or OpenCV", readCameraMatrix}, {"ROS (sensor_msgs/CameraInfo)", readCameraInfo},
       {"Kalibr", readKalibrCamera},        {"Open3D", readOpen3dCamera},
-      {"NICE-SLAM", readNiceSlamCamera},
+      {"NICE-SLAM", readNiceSlamCamera},   {"numbers alone (ETH3D, ScanNet)", readNumberCamera},
   };
   return kFormats;
 }

@@ -23,6 +23,7 @@ struct CameraFormat {
 [[nodiscard]] std::optional<RgbdCamera> readKalibrCamera(const core::ConfigNode& root);
 [[nodiscard]] std::optional<RgbdCamera> readOpen3dCamera(const core::ConfigNode& root);
 [[nodiscard]] std::optional<RgbdCamera> readNiceSlamCamera(const core::ConfigNode& root);
+[[nodiscard]] std::optional<RgbdCamera> readNumberCamera(const core::ConfigNode& root);
 
 /// In the order in which they are tried.
 [[nodiscard]] const std::vector<CameraFormat>& cameraFormats();

@@ -82,6 +82,8 @@ struct Imu {
 [[nodiscard]] CompressedImage readCompressedImage(ByteView message, Wire wire);
 [[nodiscard]] CameraInfo readCameraInfo(ByteView message, Wire wire);
 [[nodiscard]] std::vector<Transform> readTransforms(ByteView message, Wire wire);  ///< tf2_msgs/TFMessage, tf/tfMessage
+[[nodiscard]] Eigen::Isometry3d readTransform(ByteView message, Wire wire);        ///< geometry_msgs/Transform
+[[nodiscard]] float readFloat32(ByteView message, Wire wire);                      ///< std_msgs/Float32
 [[nodiscard]] Odometry readOdometry(ByteView message, Wire wire);
 [[nodiscard]] Imu readImu(ByteView message, Wire wire);
 

@@ -36,8 +36,8 @@ class StampClock {
 ///
 /// Stamps of today tell by their size: seconds have 10 digits before the point, milliseconds 13, microseconds 16,
 /// nanoseconds 19. Clocks that began with the recording or the computer tell by the steps from image to image: what
-/// counts by one or is filled up with zeros, without a point, numbers images; steps of about 33 that jitter are
-/// milliseconds, of more than 5000 micro- or nanoseconds.
+/// counts by one ("722", or ten and more like "722.000000") or is filled up with zeros, numbers images; steps of about
+/// 33 that jitter are milliseconds, of more than 5000 micro- or nanoseconds.
 [[nodiscard]] std::optional<StampUnit> recogniseStampUnit(const std::vector<std::string_view>& stamps);
 
 }  // namespace wardslam::core

@@ -8,7 +8,7 @@
 /// metres. A file is complete or absent. All throw core::InputError when it cannot be written.
 namespace wardslam::exchange {
 
-/// The cloud: x y z red green blue class instance, binary.
+/// The cloud: x y z red green blue scalar_class scalar_instance label, binary; label is the class once more.
 void exportPly(const mapping::SemanticMap& map, const std::filesystem::path& file);
 
 /// The cloud: x y z rgb label instance, binary.
@@ -27,8 +27,13 @@ void exportRosMap(const mapping::SemanticMap& map, const std::filesystem::path& 
 /// MRPT's `.simplemap`, see toSimpleMap().
 void exportSimpleMap(const mapping::SemanticMap& map, const std::filesystem::path& file);
 
-/// Zones and objects (those that stand there) as polygons with their attributes. Coordinates are metres, not degrees.
+/// Zones and objects (those that stand there) as polygons with their attributes. Coordinates are metres, not degrees,
+/// which GeoJSON cannot say.
 void exportGeoJson(const mapping::SemanticMap& map, const std::filesystem::path& file);
+
+/// The same as OGC GeoPackage 1.3: layers `zones` and `objects` in an undefined Cartesian reference system (srs_id -1),
+/// metres. The same map makes the same bytes.
+void exportGeoPackage(const mapping::SemanticMap& map, const std::filesystem::path& file);
 
 /// All objects, those that are gone included, one per line.
 void exportCsv(const mapping::SemanticMap& map, const std::filesystem::path& file);

@@ -38,6 +38,9 @@ class ObservationSource {
 
   /// How sure the measured depths are. A Kinect's, for sources that know nothing better.
   [[nodiscard]] virtual core::DepthNoise depthNoise() const { return {}; }
+
+  /// Images a second, by which files that number images instead of telling the time are to be taken.
+  [[nodiscard]] virtual double rate_hz() const { return 30.0; }
 };
 
 /// Receives one sentence about survived trouble; the program decides where it goes. Called from the thread that
