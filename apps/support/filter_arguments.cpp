@@ -48,7 +48,8 @@ void addFilterArguments(CLI::App& command, FilterArguments& arguments) {
   command
       .add_flag("--no-network", arguments.noNetwork,
                 "tell what moves by geometry alone; else, without masks or a model, the network that comes with the "
-                "program finds people and furniture in the depth image")
+                "program finds people and furniture in the depth image; who sits still is then in the map, as a thing "
+                "would be")
       ->excludes(masks)
       ->excludes(model);
   command
@@ -86,6 +87,14 @@ pipeline::SlamOptions effectiveOptions(const FilterArguments& arguments, const s
     std::cerr << program << ": " << sentence << "\n";
   }
   return options;
+}
+
+void requireSomebodyLooksForPeople(const pipeline::SlamOptions& options, bool keepsPeople,
+                                   const std::string& whatShows) {
+  if (keepsPeople || options.segments()) return;
+  throw UsageError(whatShows +
+                   " no people by default, and without masks or a network nobody knows where they are; "
+                   "give --masks DIR or --model FILE.onnx, leave --no-network away, or give --keep-people");
 }
 
 }  // namespace wardslam::apps

@@ -31,4 +31,8 @@ void addFilterArguments(CLI::App& command, FilterArguments& arguments);
 /// be assumed of masks and networks.
 [[nodiscard]] pipeline::SlamOptions effectiveOptions(const FilterArguments& arguments, const std::string& program);
 
+/// Throws UsageError where people are to be blanked and nothing finds them. `whatShows`: "pictures show".
+void requireSomebodyLooksForPeople(const pipeline::SlamOptions& options, bool keepsPeople,
+                                   const std::string& whatShows);
+
 }  // namespace wardslam::apps

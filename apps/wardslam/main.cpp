@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "config_command.h"
+#include "doctor_command.h"
 #include "eval_command.h"
 #include "eval_floor_command.h"
 #include "eval_objects_command.h"
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
     addModelsCommand(app);
     addKnowledgeCommand(app);
     addMapCommand(app);
+    addDoctorCommand(app);
     return parseCommandLine(app, argc, argv).value_or(kSuccess);
   });
 }

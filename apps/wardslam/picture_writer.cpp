@@ -5,20 +5,24 @@
 #include <utility>
 
 #include "wardslam/core/errors.h"
+#include "wardslam/core/people.h"
 #include "wardslam/viewer/annotated_picture.h"
 
 namespace wardslam::apps {
 
-PictureWriter::PictureWriter(std::filesystem::path folder, std::size_t interval, const core::LabelSpace& labels)
-    : folder_(std::move(folder)), interval_(interval), labels_(labels) {}
+PictureWriter::PictureWriter(std::filesystem::path folder, const PictureOptions& options,
+                             const core::LabelSpace& labels)
+    : folder_(std::move(folder)), options_(options), labels_(labels) {}
 
 void PictureWriter::onFrame(const core::Frame& frame, const odometry::OdometryResult& /*odometry*/) {
-  if (interval_ == 0 || frame.index % interval_ != 0) return;
+  if (options_.interval == 0 || frame.index % options_.interval != 0) return;
   std::filesystem::create_directories(folder_);
   char name[32];
-  std::snprintf(name, sizeof(name), "%.6f.jpg", frame.stamp_s);
+  std::snprintf(name, sizeof(name), "%.6f.jpg", frame.stamp_s - stampOrigin_s_);
   const auto file = folder_ / name;
-  if (!cv::imwrite(file.string(), viewer::drawAnnotated(frame, labels_))) {
+  core::Frame shown = frame;
+  if (!options_.keepsPeople) shown.color_bgr = core::blanked(frame.color_bgr, core::peoplePixels(frame));
+  if (!cv::imwrite(file.string(), viewer::drawAnnotated(shown, labels_))) {
     throw core::InputError(file.string() + ": cannot be written; is the disk full?");
   }
 }

@@ -10,6 +10,7 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include "dynamic_truth.h"
 #include "picture_writer.h"
@@ -72,15 +73,19 @@ std::optional<std::size_t> expectedFrames(const sources::ObservationSource& sour
   return size ? std::min(*size, *run.maxFrames) : *run.maxFrames;
 }
 
-/// Feeds the source to the system until it ends, enough frames were done, or the user interrupts.
+/// Feeds the source to the system until it ends, enough frames were done, or the user interrupts. `begin` is told when
+/// the first image was taken.
 void processAll(sources::ObservationSource& source, pipeline::SlamSystem& slam, pipeline::RunStatistics& statistics,
-                InputTrouble& trouble, const RecordedRun& run, const InterruptionGuard& interruption) {
+                InputTrouble& trouble, const RecordedRun& run, const InterruptionGuard& interruption,
+                std::function<void(double start_s)> begin) {
   Progress progress(std::cerr, standardErrorIsTerminal(), run.progressUnit, expectedFrames(source, run));
   PlaybackClock clock;
   while (!interruption.requested() && statistics.frames() < run.maxFrames.value_or(SIZE_MAX)) {
     const auto observation = source.next();
     if (!observation) break;
-    if (run.realtime) clock.waitFor(core::fromMrptTime(observation->timestamp));
+    const double stamp_s = core::fromMrptTime(observation->timestamp);
+    if (begin) std::exchange(begin, nullptr)(stamp_s);
+    if (run.realtime) clock.waitFor(stamp_s);
     try {
       slam.process(observation);
     } catch (const core::FrameError& error) {
@@ -188,7 +193,8 @@ void tellOfPieces(const pipeline::SlamSystem& slam, const std::filesystem::path&
 storage::MapFileWriter openMapFile(const RecordedRun& run, const pipeline::SlamSystem& slam,
                                    const std::optional<storage::MapCopy>& copy) {
   if (copy) return storage::MapFileWriter(storage::MapFile::open(copy->path(), storage::MapAccess::Write));
-  return {run.out / "map.wardmap", storage::MapHeader{slam.labelSpace(), slam.configuration()}};
+  return {run.out / "map.wardmap",
+          storage::MapHeader{slam.labelSpace(), pipeline::withoutFolders(slam.configuration())}};
 }
 
 pipeline::EarlierMap earlierMapOf(const RecordedRun& run) {
@@ -230,7 +236,8 @@ class Execution {
  public:
   Execution(const RecordedRun& run, const InterruptionGuard& interruption)
       : run_(run), interruption_(interruption), slam_(makeSystem()), truth_(makeTruth()), folder_(run.out) {
-    folder_.writeConfiguration(slam_.configuration());
+    const std::string configuration = slam_.configuration();
+    folder_.writeConfiguration(run.isPrivate ? pipeline::withoutFolders(configuration) : configuration);
     watch();
     openMap();
   }
@@ -289,9 +296,20 @@ class Execution {
   }
 
   void track() {
-    attempt([this] { processAll(source(), slam_, statistics_, trouble_, run_, interruption_); });
+    attempt([this] {
+      processAll(source(), slam_, statistics_, trouble_, run_, interruption_,
+                 [this](double start_s) { begin(start_s); });
+    });
     if (live_) live_->source().close();
     attempt([this] { slam_.finish(); });
+  }
+
+  /// Before the first image is worked on.
+  void begin(double start_s) {
+    if (!run_.isPrivate) return;
+    folder_.setStampOrigin(start_s);
+    pictures_.setStampOrigin(start_s);
+    if (mapFile_) mapFile_->setStampOrigin(start_s);
   }
 
   void finishMap() {
@@ -342,7 +360,7 @@ class Execution {
   std::unique_ptr<DynamicTruth> truth_;  ///< Null: not compared.
   RunFolder folder_;
   pipeline::RunStatistics statistics_;
-  PictureWriter pictures_{run_.out / "pictures", run_.pictureInterval, slam_.labelSpace()};
+  PictureWriter pictures_{run_.out / "pictures", {run_.pictureInterval, run_.keepPeople}, slam_.labelSpace()};
   pipeline::ZoneWatch zones_{slam_.zones()};
   std::optional<viewer::LiveWindow> window_;
   core::FirstFailure failure_;

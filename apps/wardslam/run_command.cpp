@@ -20,6 +20,8 @@ struct RunArguments {
   bool realtime = false;
   bool view = false;
   std::size_t pictureInterval = 0;
+  bool keepPeople = false;
+  bool isPrivate = false;
 };
 
 void requireFittingArguments(const RunArguments& arguments) {
@@ -34,6 +36,17 @@ void requireFittingArguments(const RunArguments& arguments) {
       (arguments.realtime || !arguments.recording.masks.empty() || !arguments.recording.dynamicTruth.empty())) {
     throw UsageError("--realtime, --masks and --dynamic-truth are for recordings, not for a camera");
   }
+  if (arguments.isPrivate && !arguments.map.empty() && !arguments.localize) {
+    throw UsageError("--private begins a new map: the one of --map has stamps of its own, which would not fit");
+  }
+}
+
+/// What is promised of people can only be kept where something finds them.
+void requirePrivacy(const RunArguments& arguments, const pipeline::SlamOptions& options) {
+  if (arguments.isPrivate && !options.segments()) {
+    throw UsageError("--private needs masks or a network: without, who sits still is in the map as a thing would be");
+  }
+  if (arguments.pictureInterval > 0) requireSomebodyLooksForPeople(options, arguments.keepPeople, "pictures show");
 }
 
 void run(const RunArguments& arguments) {
@@ -47,6 +60,7 @@ void run(const RunArguments& arguments) {
   run.topics = recording.topics;
   run.out = recording.out;
   run.options = effectiveOptions(recording);
+  requirePrivacy(arguments, run.options);
   run.map = arguments.map;
   run.localize = arguments.localize;
   if (run.localize) run.options.mapping.enabled = false;
@@ -55,6 +69,8 @@ void run(const RunArguments& arguments) {
   run.realtime = arguments.realtime;
   run.view = arguments.view;
   run.pictureInterval = arguments.pictureInterval;
+  run.keepPeople = arguments.keepPeople;
+  run.isPrivate = arguments.isPrivate;
   perform(run, InterruptionGuard());
 }
 
@@ -91,6 +107,10 @@ void addRunCommand(CLI::App& app) {
       ->expected(0, 1)
       ->default_str("10")
       ->check(CLI::PositiveNumber);
+  command->add_flag("--keep-people", arguments->keepPeople, "leave people in the pictures; else they are blanked");
+  command->add_flag(
+      "--private", arguments->isPrivate,
+      "stamps in all files are seconds since the first image, and no file names a folder of this computer");
   command->callback([arguments] { run(*arguments); });
 }
 

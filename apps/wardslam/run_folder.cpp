@@ -85,9 +85,9 @@ nlohmann::ordered_json toJson(const LiveRun& live, std::size_t processed) {
           {"latency", {{"median_ms", rounded(latency.median_ms, 1)}, {"p95_ms", rounded(latency.p95_ms, 1)}}}};
 }
 
-void writeTrajectory(const std::filesystem::path& file, const core::Trajectory& trajectory) {
+void writeTrajectory(const std::filesystem::path& file, const core::Trajectory& trajectory, double stampOrigin_s) {
   exchange::TumTrajectoryWriter writer(file);
-  for (const auto& pose : trajectory) writer.write(pose);
+  for (const auto& [stamp_s, T_map_cam] : trajectory) writer.write({stamp_s - stampOrigin_s, T_map_cam});
   writer.finish();
 }
 
@@ -166,7 +166,7 @@ void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult
   if (!odometry.hasPose()) return;
   if (livePiece_ && *livePiece_ != odometry.piece) live_.writeComment("piece " + std::to_string(odometry.piece));
   livePiece_ = odometry.piece;
-  live_.write({frame.stamp_s, odometry.T_map_cam});
+  live_.write({frame.stamp_s - stampOrigin_s_, odometry.T_map_cam});
   const bool isBehind = live_.isBehind();
   if (isBehind && !wasBehind_) {
     tellAtOnce((folder_ / "trajectory_live.txt").string() +
@@ -179,10 +179,10 @@ void RunFolder::finish(const RunSummary& summary) {
   core::FirstFailure failure;
   failure.attempt([&] { live_.finish(); });
   failure.attempt([&] { removeTrajectoriesOfPieces(folder_); });
-  failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory()); });
+  failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory(), stampOrigin_s_); });
   failure.attempt([&] {
     for (const auto& [piece, trajectory] : summary.slam.unjoinedTrajectories()) {
-      writeTrajectory(folder_ / ("trajectory_piece_" + std::to_string(piece) + ".txt"), trajectory);
+      writeTrajectory(folder_ / ("trajectory_piece_" + std::to_string(piece) + ".txt"), trajectory, stampOrigin_s_);
     }
   });
   failure.attempt([&] {

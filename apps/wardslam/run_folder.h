@@ -40,6 +40,9 @@ class RunFolder : public pipeline::FrameObserver {
   /// Makes the folder. Throws core::InputError when it cannot be written.
   explicit RunFolder(const std::filesystem::path& folder);
 
+  /// Before the first frame: stamps in the files are seconds since then (UNIX s).
+  void setStampOrigin(double origin_s) { stampOrigin_s_ = origin_s; }
+
   void writeConfiguration(const std::string& yaml) const;
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
   /// Writes every result, whatever becomes of the others; then throws core::InputError for the first that failed.
@@ -48,6 +51,7 @@ class RunFolder : public pipeline::FrameObserver {
  private:
   std::filesystem::path folder_;
   exchange::TumTrajectoryWriter live_;
+  double stampOrigin_s_ = 0.0;
   std::optional<std::uint32_t> livePiece_;  ///< Of the last pose written.
   bool wasBehind_ = false;                  ///< The disk did not take all poses.
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

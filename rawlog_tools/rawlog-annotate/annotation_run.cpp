@@ -8,6 +8,7 @@
 #include <iostream>
 #include <iterator>
 
+#include "blanking.h"
 #include "output_files.h"
 #include "support/progress.h"
 #include "wardslam/core/errors.h"
@@ -33,7 +34,8 @@ std::string describe(const AnnotationJob& job, const mrpt_plugin::ScanAnnotator&
   return "version " WARDSLAM_VERSION "\ninput " + fs::absolute(job.input).string() + "\nsize " +
          std::to_string(fs::file_size(job.input)) + "\nchanged " +
          std::to_string(fs::last_write_time(job.input).time_since_epoch().count()) + "\nsensor " + job.sensorLabel +
-         "\nembed " + std::to_string(static_cast<int>(job.embed)) + "\n" + core::writeOptions(job.options) +
+         "\nembed " + std::to_string(static_cast<int>(job.embed)) + "\npeople " +
+         std::to_string(static_cast<int>(job.keepPeople)) + "\n" + core::writeOptions(job.options) +
          annotator.parameters();
 }
 
@@ -62,7 +64,8 @@ class Run {
         annotator_(job.options, job.sensorLabel),
         reader_(job.input),
         files_(job.output, !job.embed, job.input, describe(job, annotator_)),
-        embed_(job.embed) {}
+        embed_(job.embed),
+        keepPeople_(job.keepPeople) {}
 
   /// Of what was interrupted, and of what the disk did not take, the next run makes use.
   AnnotationReport perform(const apps::InterruptionGuard& interruption) {
@@ -142,7 +145,10 @@ class Run {
     std::vector<CObservationSemanticRGBD::Ptr> found;
     for (const auto& scan : scansIn(object)) {
       if (scan->hasIntensityImage && scan->hasRangeImage) ++sensors_.observations[scan->sensorLabel];
-      if (auto semantic = annotator_.annotate(scan)) found.push_back(std::move(semantic));
+      if (auto semantic = annotator_.annotate(scan)) {
+        if (!keepPeople_) blankPeople(*scan, *semantic);
+        found.push_back(std::move(semantic));
+      }
       sensors_.taken = annotator_.sensorLabel();
       scan->unload();  // what is stored outside stays there
     }
@@ -161,6 +167,7 @@ class Run {
   sources::RawlogReader reader_;
   OutputFiles files_;
   bool embed_;
+  bool keepPeople_;
   sources::SensorCounts sensors_;
   std::size_t warmUps_ = 0;
 };

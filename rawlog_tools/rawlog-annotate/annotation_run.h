@@ -16,6 +16,7 @@ struct AnnotationJob {
   pipeline::SlamOptions options;
   std::string sensorLabel;  ///< Empty: the first RGB-D sensor of the rawlog.
   bool embed = false;       ///< Everything into one file, which then needs the plug-in to be read.
+  bool keepPeople = false;  ///< Else they are blanked.
 };
 
 struct AnnotationReport {

@@ -24,6 +24,7 @@ struct Arguments {
   std::string sensorLabel;
   std::string plugins;
   bool embed = false;
+  bool keepPeople = false;
 };
 
 AnnotationJob jobOf(const Arguments& arguments) {
@@ -34,6 +35,8 @@ AnnotationJob jobOf(const Arguments& arguments) {
   job.options = apps::effectiveOptions(arguments.filter, kName);
   job.sensorLabel = arguments.sensorLabel;
   job.embed = arguments.embed;
+  job.keepPeople = arguments.keepPeople;
+  apps::requireSomebodyLooksForPeople(job.options, job.keepPeople, "an annotated rawlog shows");
   return job;
 }
 
@@ -84,6 +87,8 @@ int main(int argc, char** argv) {
     app.add_flag(
         "--embed", arguments.embed,
         "write all into one file; programs of MRPT then need libwardslam-mrpt.so to read beyond its first scan");
+    app.add_flag("--keep-people", arguments.keepPeople,
+                 "leave colours, depth and key points of people as they are; else they are blanked");
     if (const auto code = wardslam::apps::parseCommandLine(app, argc, argv)) return *code;
     return annotate(arguments);
   });

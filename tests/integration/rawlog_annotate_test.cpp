@@ -126,7 +126,7 @@ class RawlogAnnotate : public ::testing::Test {
 TEST_F(RawlogAnnotate, WritesAnAnnotatedCopyAndASidecar) {
   record();
   const std::string before = test::readText(input);
-  const auto result = annotate();
+  const auto result = annotate({"--keep-people"});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("12 objects, of which 6 scans annotated"), HasSubstr("out_sem.rawlog")));
   EXPECT_EQ(test::readText(input), before);
@@ -190,7 +190,7 @@ TEST_F(RawlogAnnotate, LeavesExternalImagesWhereTheyAre) {
     ASSERT_TRUE(scan.intensityImage.saveToFile((images / name).string()));
     scan.intensityImage.setExternalStorage(name);
   });
-  ASSERT_EQ(annotate().exitCode, 0);
+  ASSERT_EQ(annotate({"--keep-people"}).exitCode, 0);
   EXPECT_LT(fs::file_size(output), fs::file_size(input) + 100000);
   sources::RawlogReader reader(output);
   static_cast<void>(reader.read());
@@ -199,6 +199,52 @@ TEST_F(RawlogAnnotate, LeavesExternalImagesWhereTheyAre) {
   EXPECT_TRUE(scan->intensityImage.isExternallyStored());
   EXPECT_NO_THROW(sources::loadImages(*scan));
   expectPersonMarked(*scan);
+}
+
+/// The left quarter of every image is a person; beyond the margin around, nothing changes.
+TEST_F(RawlogAnnotate, BlanksPeopleUnlessAsked) {
+  const fs::path images = folder.path() / "in_Images";
+  fs::create_directory(images);
+  record(1, [&](CObservation3DRangeScan& scan, int i) {
+    if (i > 0) return;
+    ASSERT_TRUE(scan.intensityImage.saveToFile((images / "outside.png").string()));
+    scan.intensityImage.setExternalStorage("outside.png");
+  });
+  ASSERT_EQ(annotate().exitCode, 0);
+  const auto scans = only<CObservation3DRangeScan>(read(output));
+  const auto originals = only<CObservation3DRangeScan>(read(input));
+  const auto semantic = only<CObservationSemanticRGBD>(read(sidecar));
+  ASSERT_EQ(scans.size(), std::size_t{kImages});
+  for (std::size_t i = 0; i < kImages; ++i) {
+    ASSERT_FALSE(scans[i]->intensityImage.isExternallyStored());
+    const cv::Mat color = scans[i]->intensityImage.asCvMatRef();
+    const cv::Mat grey(240, 80, CV_8UC3, cv::Scalar::all(128));
+    EXPECT_EQ(cv::norm(color(cv::Rect(0, 0, 80, 240)), grey, cv::NORM_INF), 0.0);
+    const cv::Rect rest(120, 0, 200, 240);
+    if (i > 0) {
+      EXPECT_EQ(cv::norm(color(rest), originals[i]->intensityImage.asCvMatRef()(rest), cv::NORM_INF), 0.0);
+    }
+    EXPECT_EQ(scans[i]->rangeImage.block(0, 0, 240, 80).maxCoeff(), 0);
+    EXPECT_EQ(scans[i]->rangeImage.block(0, 120, 240, 200), originals[i]->rangeImage.block(0, 120, 240, 200));
+    for (const auto& keypoint : semantic[i]->features.keypoints) EXPECT_GE(keypoint.raw_px.x, 79.5F);
+    EXPECT_EQ(semantic[i]->states.size(), semantic[i]->features.size());
+    EXPECT_GT(semantic[i]->features.size(), 50U);
+    expectPersonMarked(*scans[i]);
+  }
+}
+
+TEST_F(RawlogAnnotate, BlanksNobodyWhoCannotBeFound) {
+  record();
+  const auto withoutMasks = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {input.string(), "-o", output.string(), "--no-network"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return test::runProgram("rawlog-annotate", arguments);
+  };
+  const auto refused = withoutMasks({});
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--keep-people"));
+  EXPECT_FALSE(fs::exists(output));
+  EXPECT_EQ(withoutMasks({"--keep-people"}).exitCode, 0);
 }
 
 TEST_F(RawlogAnnotate, GoesOnWhereItWasKilled) {

@@ -149,5 +149,24 @@ TEST_F(SlamOptionsTest, AKnowledgeFileBesideItIsNamedInFull) {
   EXPECT_EQ(read("knowledge: {file: " + beside.string() + "}\n").knowledge.file, beside.string());
 }
 
+TEST(WithoutFolders, LeavesTheNamesOfFiles) {
+  const std::string yaml =
+      "deterministic: true  # same input: same bytes / out\n"
+      "segmentation:\n"
+      "  masks: \"/home/somebody/ward 3/masks\"  # folder\n"
+      "  model: '/networks/yolo.onnx'\n"
+      "  depth: /data/net.onnx\n"
+      "knowledge:\n"
+      "  file: \"knowledge/hospital.yaml\"\n";
+  EXPECT_EQ(withoutFolders(yaml),
+            "deterministic: true  # same input: same bytes / out\n"
+            "segmentation:\n"
+            "  masks: \"masks\"  # folder\n"
+            "  model: 'yolo.onnx'\n"
+            "  depth: net.onnx\n"
+            "knowledge:\n"
+            "  file: \"knowledge/hospital.yaml\"\n");
+}
+
 }  // namespace
 }  // namespace wardslam::pipeline

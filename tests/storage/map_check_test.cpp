@@ -3,6 +3,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -113,6 +117,158 @@ TEST_F(WholeWardCheckTest, FindsWhatDoesNotFitTogether) {
     writeWard();
     runSql(sql);
     EXPECT_THAT(MapFile::open(path_).check(), testing::Contains(HasSubstr(complaint))) << sql;
+  }
+}
+
+bool mayBeNegative(const std::string& column) {
+  const std::set<std::string> some = {
+      "x_m",          "y_m",        "z_m",      "qx",       "qy",       "qz",       "qw",           "cx_px",
+      "cy_px",        "k1",         "k2",       "p1",       "p2",       "k3",       "centroid_x_m", "centroid_y_m",
+      "centroid_z_m", "box_x_m",    "box_y_m",  "box_z_m",  "box_qx",   "box_qy",   "box_qz",       "box_qw",
+      "origin_x_m",   "origin_y_m", "height_m", "last_x_m", "last_y_m", "last_z_m", "value"};
+  return some.count(column) > 0;
+}
+
+/// A ward with a row in every table, and each value of each column falsified in turn.
+class EveryColumnTest : public WholeWardCheckTest {
+ protected:
+  struct Column {
+    std::string table;
+    std::string name;
+    std::string row;  ///< SQL: one row of the table.
+  };
+
+  void SetUp() override {
+    ward_.nextObjectId = 8;
+    ward_.objects[7].maybeSameAs = mapping::MaybeSame{6, 0.25};
+    MapFile file = writeWard();
+    MapChanges changes;
+    changes.mapPiece = 0;
+    mapping::MapMemory& memory = changes.memory.emplace();
+    memory.tiles[2].resize(3);
+    for (const mapping::ObjectId id : {1, 2}) {
+      memory.objects[id].votes[test::kChair] = 2.5;
+      memory.objects[id].views = 3;
+      memory.objects[id].lastSeen_s = test::kWardEnd_s;
+    }
+    memory.pairs[{1, 2}] = {1, 4};
+    file.write(changes);
+    EXPECT_THAT(file.check(), IsEmpty());
+    sound_ = test::readText(path_);
+  }
+
+  std::vector<Column> columns() const {
+    SQLite::Database database(path_.string());
+    SQLite::Statement find(database,
+                           "SELECT m.name, c.name, (SELECT group_concat(p.name) FROM pragma_table_info(m.name) p WHERE "
+                           "p.pk > 0) FROM sqlite_master m, pragma_table_info(m.name) c WHERE m.type = 'table' AND "
+                           "m.name NOT LIKE 'object_boxes_%'");
+    std::vector<Column> columns;
+    while (find.executeStep()) {
+      const std::string table = find.getColumn(0);
+      const std::string key = table == "object_boxes" ? "id" : find.getColumn(2).getString();
+      columns.push_back({table, find.getColumn(1), "(" + key + ") = (SELECT " + key + " FROM " + table + " LIMIT 1)"});
+    }
+    return columns;
+  }
+
+  /// False: SQLite itself refuses that, whoever asks.
+  bool falsify(const Column& column, const std::string& value) const {
+    std::ofstream(path_, std::ios::binary) << sound_;
+    SQLite::Database database(path_.string(), SQLite::OPEN_READWRITE);
+    database.exec("PRAGMA ignore_check_constraints = ON; PRAGMA synchronous = OFF; PRAGMA journal_mode = MEMORY");
+    try {
+      return database.exec("UPDATE " + column.table + " SET " + column.name + " = " + value + " WHERE " + column.row) >
+             0;
+    } catch (const SQLite::Exception&) {
+      return false;
+    }
+  }
+
+  /// Whatever is wrong, readers end with one sentence or with a map.
+  void expectNoCrash(const MapFile& file, const std::string& what) const {
+    const std::vector<std::function<void()>> readers = {
+        [&] { (void)file.info(); },       [&] { (void)file.header(); },    [&] { (void)file.read(); },
+        [&] { (void)file.readMemory(); }, [&] { (void)file.readViews(); }, [&] { (void)file.readFreeSubmap(); },
+        [&] { (void)file.readPoints(); }, [&] { (void)file.readLoops(); }};
+    for (const auto& read : readers) {
+      try {
+        read();
+      } catch (const core::InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("ward.wardmap")) << what;
+      }
+    }
+  }
+
+  std::string sound_;
+};
+
+TEST_F(EveryColumnTest, HasARowToFalsify) {
+  for (const auto& column : columns()) {
+    SQLite::Database database(path_.string());
+    EXPECT_GT(database.execAndGet("SELECT count(*) FROM " + column.table).getInt(), 0) << column.table;
+  }
+}
+
+TEST_F(EveryColumnTest, IsNamedWhenFalsified) {
+  // Texts that may be anything: the configuration of the run is told and not read, a class may be called anything, and
+  // a fact of another name is none that is known.
+  const auto mayBeAnything = [](const Column& column, const std::string& value) {
+    if (column.table == "properties") return column.name == "name" || value == "'abc'";
+    return column.table == "labels" && (column.name == "name" || value == "'abc'");
+  };
+  std::size_t tried = 0;
+  for (const auto& column : columns()) {
+    for (const char* value : {"9e999", "-1e300", "-5", "9000000000000000000", "'abc'", "x'00'"}) {
+      const bool isNumber = std::string(value) == "-5";
+      if (!falsify(column, value)) continue;
+      ++tried;
+      const std::string what = column.table + "." + column.name + " = " + value;
+      const auto file = MapFile::open(path_);
+      expectNoCrash(file, what);
+      // -5 is a good place, pixel or angle; it is none of a count, a number or a length.
+      if (mayBeAnything(column, value) || (isNumber && mayBeNegative(column.name))) continue;
+      EXPECT_THAT(file.check(), testing::Not(IsEmpty())) << what;
+    }
+  }
+  EXPECT_GT(tried, 600U);
+}
+
+TEST_F(EveryColumnTest, NamesNothingThatIsNotThere) {
+  const std::vector<std::pair<std::string, std::string>> references = {{"free_fans", "keyframe"},
+                                                                       {"views", "keyframe"},
+                                                                       {"views", "camera"},
+                                                                       {"edges", "from_keyframe"},
+                                                                       {"edges", "to_keyframe"},
+                                                                       {"depth_noises", "keyframe"},
+                                                                       {"depth_views", "keyframe"},
+                                                                       {"grounds", "keyframe"},
+                                                                       {"sightings", "keyframe"},
+                                                                       {"sightings", "point"},
+                                                                       {"sightings", "keypoint"},
+                                                                       {"cloud_tiles", "keyframe"},
+                                                                       {"tile_memories", "keyframe"},
+                                                                       {"objects", "class_id"},
+                                                                       {"objects", "piece"},
+                                                                       {"object_hints", "object"},
+                                                                       {"object_hints", "maybe_same_as"},
+                                                                       {"object_votes", "object"},
+                                                                       {"zone_corners", "zone"},
+                                                                       {"objects", "id"},
+                                                                       {"object_boxes", "id"},
+                                                                       {"keyframes", "id"},
+                                                                       {"keyframes", "piece"},
+                                                                       {"points", "id"},
+                                                                       {"cameras", "id"},
+                                                                       {"zones", "id"}};
+  for (const auto& column : columns()) {
+    const bool refers =
+        std::find(references.begin(), references.end(), std::pair(column.table, column.name)) != references.end();
+    if (!refers || !falsify(column, "4242")) continue;
+    const std::string what = column.table + "." + column.name + " = 4242";
+    const auto file = MapFile::open(path_);
+    expectNoCrash(file, what);
+    EXPECT_THAT(file.check(), testing::Not(IsEmpty())) << what;
   }
 }
 

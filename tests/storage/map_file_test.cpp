@@ -48,6 +48,36 @@ void expectEqual(const mapping::MapObject& a, const mapping::MapObject& b) {
   EXPECT_EQ(a.state, b.state);
 }
 
+TEST_F(MapFileTest, WhatWasErasedIsNotReadableInTheFile) {
+  const std::string name = "room of somebody who must not be named";
+  ward_.zones[0].name = name;
+  for (auto& entry : ward_.objects) entry.second.zone.clear();
+  auto file = writeWard();
+  ASSERT_NE(test::readText(path_).find(name), std::string::npos);
+  MapChanges changes;
+  changes.zones.emplace();
+  file.write(changes);
+  EXPECT_EQ(test::readText(path_).find(name), std::string::npos);
+}
+
+TEST_F(MapFileTest, CompactedItHoldsTheSameInLessRoom) {
+  auto file = writeWard();
+  MapChanges changes;
+  changes.zones.emplace();
+  for (int i = 0; i < 300; ++i) changes.zones->push_back({std::to_string(i) + std::string(200, 'z'), {}});
+  file.write(changes);
+  changes.zones = ward_.zones;
+  file.write(changes);
+  const auto size_bytes = file.info().size_bytes;
+  file.compact();
+  EXPECT_THAT(file.check(), IsEmpty());
+  EXPECT_LT(file.info().size_bytes, size_bytes);
+  EXPECT_EQ(file.info().keyframes, 3U);
+  file.write(everythingOf(ward_));  // and can be gone on with
+  EXPECT_EQ(MapFile::open(path_).info().zones, 2U);
+  EXPECT_FALSE(fs::exists(path_.string() + ".partial"));
+}
+
 TEST_F(MapFileTest, GivesBackTheSemanticMap) {
   ward_.labels.rename(100, "drip stand");
   writeWard();

@@ -1,5 +1,7 @@
 #include "wardslam/pipeline/slam_options.h"
 
+#include <regex>
+
 namespace wardslam::pipeline {
 namespace {
 
@@ -88,6 +90,11 @@ std::string writeSlamOptions(const SlamOptions& options, const filters::FilterCh
   if (chain.empty()) return writer.text() + "filters: []\n";  // a key without a value would mean the default
   writer.block("filters", chain.parameters(1));
   return writer.text();
+}
+
+std::string withoutFolders(const std::string& yaml) {
+  static const std::regex kAbsolutePath(R"re((: ["']?)/(?:[^/"'\n]+/)*([^/"'\n]*))re");
+  return std::regex_replace(yaml, kAbsolutePath, "$1$2");
 }
 
 }  // namespace wardslam::pipeline

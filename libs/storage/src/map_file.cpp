@@ -99,7 +99,7 @@ void configure(SQLite::Database& database) {
   database.exec("PRAGMA foreign_keys = ON");
   database.exec("PRAGMA journal_mode = DELETE");
   database.exec("PRAGMA synchronous = EXTRA");  // the folder, too: a commit is one when the journal is gone
-  database.exec("PRAGMA secure_delete = OFF");
+  database.exec("PRAGMA secure_delete = ON");   // what is erased may be of people: it is overwritten
   database.exec("PRAGMA temp_store = MEMORY");
 }
 
@@ -229,6 +229,26 @@ void MapFile::writeBeside(const MapChanges& changes) {
     }
     core::replaceFile(partial, file);
   });
+  *this = open(file, MapAccess::Write);
+}
+
+void MapFile::compact() {
+  const fs::path file = connection_->file;
+  const fs::path partial = partialOf(file);
+  removeDatabase(partial);
+  try {
+    guarded(file, [&] {
+      connection_->database.setBusyTimeout(kPatience_ms);
+      SQLite::Statement vacuum(connection_->database, "VACUUM INTO ?");
+      vacuum.bind(1, partial.string());
+      vacuum.exec();
+    });
+    core::syncToDisk(partial);
+  } catch (const core::InputError&) {
+    removeDatabase(partial);
+    throw;
+  }
+  core::replaceFile(partial, file);
   *this = open(file, MapAccess::Write);
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "relative_stamps.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::storage {
@@ -97,6 +98,7 @@ MapChanges MapFileWriter::takeFrom(mapping::MapBuilder& builder) {
   for (const auto id : changes.removedKeyframes) changes.cloud.erase(id);  // goes with its keyframe
   std::copy_if(pending_.views.begin(), pending_.views.end(), std::back_inserter(changes.views),
                [&](const auto& view) { return changes.keyframes.count(view->id) > 0 || written_.count(view->id) > 0; });
+  if (stampOrigin_s_) makeStampsRelative(changes, *stampOrigin_s_);
   return changes;
 }
 
@@ -144,6 +146,7 @@ void MapFileWriter::finish(mapping::MapBuilder& builder, const graph::Mapper& ma
   MapChanges changes = takeFrom(builder);
   changes.floorPlan = std::move(floorPlan);
   changes.memory = builder.memory(changedTiles_);
+  if (stampOrigin_s_) makeStampsRelative(*changes.memory, *stampOrigin_s_);
   auto keyframes = written_;
   for (const auto& [id, keyframe] : changes.keyframes) keyframes.insert(id);
   for (const auto id : changes.removedKeyframes) keyframes.erase(id);
@@ -159,6 +162,17 @@ void MapFileWriter::finish(mapping::MapBuilder& builder, const graph::Mapper& ma
     fail(error);
     file_->writeBeside(changes);
     forgetWritten(changes);
+  }
+  compact();
+}
+
+/// A map that stays larger is none the worse: what was erased in it is overwritten.
+void MapFileWriter::compact() {
+  if (!file_) return;
+  try {
+    file_->compact();
+  } catch (const core::InputError& error) {
+    warn_(std::string(error.what()) + " (the map is complete, but takes more room than it must)");
   }
 }
 

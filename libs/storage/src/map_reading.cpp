@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -20,25 +21,17 @@ constexpr double kFinestPlan_m = 1e-3;
 constexpr double kCoarsestPlan_m = 100.0;
 constexpr double kFarthestGround_m = 1e4;
 
-/// Hands every row to `take`; trouble with a row is told with `what` it is and its first column.
-template <class Take>
-void forEachRow(SQLite::Database& database, const std::string& what, const char* sql, const Take& take) {
-  SQLite::Statement statement(database, sql);
-  while (statement.executeStep()) {
-    try {
-      take(ColumnReader(statement));
-    } catch (const core::BlobError& error) {
-      throw core::BlobError(what + " " + statement.getColumn(0).getString() + ": " + error.what());
-    }
-  }
-}
-
 std::size_t count(SQLite::Database& database, const char* sql) {
   return static_cast<std::size_t>(database.execAndGet(sql).getInt64());
 }
 
 std::uint32_t mapPieceOf(SQLite::Database& database) {
-  return static_cast<std::uint32_t>(database.execAndGet("SELECT piece FROM map_piece").getInt64());
+  std::uint32_t number = 0;
+  forEachRow(database, "the map's", "SELECT 'piece', piece FROM map_piece", [&number](ColumnReader row) {
+    std::string name;
+    row >> name >> pieceIn(number);
+  });
+  return number;
 }
 
 void readKeyframes(SQLite::Database& database, mapping::SemanticMap& map) {
@@ -47,7 +40,7 @@ void readKeyframes(SQLite::Database& database, mapping::SemanticMap& map) {
       [&map](ColumnReader row) {
         odometry::KeyframeId id = 0;
         mapping::MappedKeyframe keyframe;
-        row >> id >> within(keyframe.stamp_s, 0.0, kLatest_s) >> keyframe.T_map_cam >> keyframe.zone >> keyframe.piece;
+        row >> idIn(id) >> stampIn(keyframe.stamp_s) >> keyframe.T_map_cam >> keyframe.zone >> pieceIn(keyframe.piece);
         map.keyframes.emplace(id, keyframe);
       });
 }
@@ -78,6 +71,13 @@ void readFreeFans(SQLite::Database& database, mapping::SemanticMap& map) {
   });
 }
 
+/// No correlation is more than whole.
+bool isCovariance(const Eigen::Matrix3d& c) {
+  constexpr double kRounding = 1.0 + 1e-9;
+  const auto isPossible = [&c](int i, int j) { return c(i, j) * c(i, j) <= kRounding * c(i, i) * c(j, j); };
+  return isPossible(0, 1) && isPossible(0, 2) && isPossible(1, 2);
+}
+
 void readGrounds(SQLite::Database& database, mapping::SemanticMap& map) {
   forEachRow(database, "ground of keyframe",
              "SELECT keyframe, normal_x, normal_y, normal_z, height_m, variance_1, variance_2, variance_height_m2, "
@@ -92,6 +92,7 @@ void readGrounds(SQLite::Database& database, mapping::SemanticMap& map) {
                  row >> within(c(i, j), -kFarthestGround_m, kFarthestGround_m);
                  c(j, i) = c(i, j);
                }
+               if (!isCovariance(c)) throw core::BlobError("its covariance is impossible");
                if (std::abs(ground.normal_cam.norm() - 1.0) > 1e-6)
                  throw core::BlobError("its normal has no direction");
                const auto found = map.keyframes.find(keyframe);
@@ -101,12 +102,15 @@ void readGrounds(SQLite::Database& database, mapping::SemanticMap& map) {
 }
 
 void readCloud(SQLite::Database& database, mapping::SemanticMap& map) {
-  forEachRow(database, "cloud tile of keyframe", "SELECT keyframe, points FROM cloud_tiles ORDER BY keyframe",
-             [&map](ColumnReader row) {
+  forEachRow(database, "cloud tile of keyframe",
+             "SELECT keyframe, point_count, points FROM cloud_tiles ORDER BY keyframe", [&map](ColumnReader row) {
                odometry::KeyframeId keyframe = 0;
+               std::uint64_t count = 0;
                core::Bytes blob;
-               row >> keyframe >> blob;
-               map.cloud.emplace(keyframe, decodeTile(blob));
+               row >> keyframe >> count >> blob;
+               if (map.keyframes.count(keyframe) == 0) throw core::BlobError("that keyframe is missing");
+               const auto& tile = map.cloud.emplace(keyframe, decodeTile(blob)).first->second;
+               if (tile.points.size() != count) throw core::BlobError("its point_count is not that of its points");
              });
 }
 
@@ -114,10 +118,10 @@ mapping::MapObject objectOf(ColumnReader row) {
   mapping::MapObject object;
   std::string state;
   auto& [red, green, blue] = object.color_rgb;
-  row >> object.id >> object.classId >> within(object.probability, 0.0, 1.0) >> object.centroid_m >>
+  row >> idIn(object.id) >> object.classId >> within(object.probability, 0.0, 1.0) >> object.centroid_m >>
       object.box_m.min() >> object.box_m.max() >> object.orientedBox.T_map_box >> object.orientedBox.size_m >> red >>
-      green >> blue >> within(object.firstSeen_s, 0.0, kLatest_s) >> within(object.lastSeen_s, 0.0, kLatest_s) >>
-      object.views >> object.zone >> state >> object.piece;
+      green >> blue >> stampIn(object.firstSeen_s) >> stampIn(object.lastSeen_s) >> countIn(object.views) >>
+      object.zone >> state >> pieceIn(object.piece);
   if ((object.box_m.min().array() > object.box_m.max().array()).any()) throw core::BlobError("its box is inside out");
   if ((object.orientedBox.size_m.array() < 0).any()) throw core::BlobError("its box has a negative size");
   object.state = objectState(state);
@@ -141,7 +145,7 @@ void readHints(SQLite::Database& database, mapping::SemanticMap& map) {
              [&map](ColumnReader row) {
                mapping::ObjectId object = 0;
                mapping::MaybeSame hint;
-               row >> object >> hint.id >> within(hint.probability, 0.0, 1.0);
+               row >> object >> idIn(hint.id) >> within(hint.probability, 0.0, 1.0);
                const auto found = map.objects.find(object);
                if (found == map.objects.end()) throw core::BlobError("that object is missing");
                found->second.maybeSameAs = hint;
@@ -154,6 +158,7 @@ void readZones(SQLite::Database& database, mapping::SemanticMap& map) {
     std::uint32_t id = 0;
     std::string name;
     row >> id >> name;
+    if (name.empty()) throw core::BlobError("it has no name");
     zones[id].name = name;
   });
   forEachRow(database, "zone", "SELECT zone, x_m, y_m FROM zone_corners ORDER BY zone, position",
@@ -161,9 +166,22 @@ void readZones(SQLite::Database& database, mapping::SemanticMap& map) {
                std::uint32_t id = 0;
                Eigen::Vector2d corner_m;
                row >> id >> corner_m;
-               zones[id].polygon_m.push_back(corner_m);
+               const auto zone = zones.find(id);
+               if (zone == zones.end()) throw core::BlobError("it has corners and is not there");
+               zone->second.polygon_m.push_back(corner_m);
              });
   for (auto& [id, zone] : zones) map.zones.push_back(std::move(zone));
+}
+
+void requirePossibleCells(const cv::Mat& cells) {
+  using mapping::FloorPlan;
+  for (int y = 0; y < cells.rows; ++y) {
+    const auto* row = cells.ptr<std::uint8_t>(y);
+    const bool arePossible = std::all_of(row, row + cells.cols, [](std::uint8_t cell) {
+      return cell == FloorPlan::kFree || cell == FloorPlan::kOccupied || cell == FloorPlan::kUnknown;
+    });
+    if (!arePossible) throw core::BlobError("it has a cell that is neither free nor occupied nor unknown");
+  }
 }
 
 void readFloorPlan(SQLite::Database& database, mapping::SemanticMap& map) {
@@ -174,6 +192,7 @@ void readFloorPlan(SQLite::Database& database, mapping::SemanticMap& map) {
                row >> id >> within(map.floorPlan.resolution_m, kFinestPlan_m, kCoarsestPlan_m);
                row >> map.floorPlan.origin_m >> blob;
                map.floorPlan.cells = decodeCells(blob);
+               requirePossibleCells(map.floorPlan.cells);
              });
 }
 
@@ -230,7 +249,7 @@ std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQL
                odometry::Keyframe view;
                std::uint32_t camera = 0;
                core::Bytes blob;
-               row >> view.id >> within(view.stamp_s, 0.0, kLatest_s) >> view.T_map_cam >> view.submap >> camera >>
+               row >> idIn(view.id) >> stampIn(view.stamp_s) >> view.T_map_cam >> pieceIn(view.submap) >> camera >>
                    blob;
                if (cameras.count(camera) == 0) throw core::BlobError("its camera is missing");
                view.camera = cameras.at(camera);
@@ -245,11 +264,15 @@ std::map<odometry::KeyframeId, odometry::Keyframe> readKeyframesWithFeatures(SQL
 std::vector<LoopEdge> readEdges(SQLite::Database& database, const std::string& kind) {
   std::vector<LoopEdge> edges;
   const std::string sql =
-      "SELECT from_keyframe, to_keyframe, x_m, y_m, z_m, qx, qy, qz, qw, inliers FROM edges WHERE kind = '" + kind +
-      "' ORDER BY to_keyframe, from_keyframe";
+      "SELECT from_keyframe, to_keyframe, edges.x_m, edges.y_m, edges.z_m, edges.qx, edges.qy, edges.qz, edges.qw, "
+      "inliers, a.id IS NOT NULL AND b.id IS NOT NULL FROM edges LEFT JOIN keyframes a ON a.id = from_keyframe "
+      "LEFT JOIN keyframes b ON b.id = to_keyframe WHERE kind = '" +
+      kind + "' ORDER BY to_keyframe, from_keyframe";
   forEachRow(database, kind + " edge from keyframe", sql.c_str(), [&edges](ColumnReader row) {
     LoopEdge edge;
-    row >> edge.from >> edge.to >> edge.T_from_to >> edge.inliers;
+    int isTied = 0;
+    row >> edge.from >> edge.to >> edge.T_from_to >> countIn(edge.inliers) >> isTied;
+    if (isTied == 0 || edge.from == edge.to) throw core::BlobError("it does not tie two keyframes of the map");
     edges.push_back(edge);
   });
   return edges;
@@ -260,59 +283,9 @@ mapping::ObjectId nextObjectId(SQLite::Database& database) {
   forEachRow(database, "property", "SELECT 'next_object_id', value FROM properties WHERE name = 'next_object_id'",
              [&next](ColumnReader row) {
                std::string name;
-               row >> name >> next;
+               row >> name >> idIn(next);
              });
   return next;
-}
-
-void readTileMemories(SQLite::Database& database, mapping::MapMemory& memory) {
-  forEachRow(database, "memory of the tile of keyframe", "SELECT keyframe, points FROM tile_memories ORDER BY keyframe",
-             [&memory](ColumnReader row) {
-               odometry::KeyframeId keyframe = 0;
-               core::Bytes blob;
-               row >> keyframe >> blob;
-               memory.tiles.emplace(keyframe, decodeTileMemory(blob));
-             });
-}
-
-void readObjectMemories(SQLite::Database& database, mapping::MapMemory& memory) {
-  forEachRow(
-      database, "memory of object",
-      "SELECT object, views, expected, missed, first_seen_s, last_seen_s, last_x_m, last_y_m, last_z_m, handled_s, "
-      "views_to_rest, erased, gone_s, place_was_empty, state, piece FROM object_memories ORDER BY object",
-      [&memory](ColumnReader row) {
-        mapping::ObjectId id = 0;
-        mapping::ObjectMemory object;
-        Eigen::Vector3d place_m;
-        std::uint64_t erased = 0;
-        std::uint8_t wasEmpty = 0;
-        std::string state;
-        row >> id >> object.views >> object.expected >> object.missed >> object.firstSeen_s >> object.lastSeen_s >>
-            place_m >> object.handled_s >> object.viewsToRest >> erased >> object.gone_s >> wasEmpty >> state >>
-            object.piece;
-        object.lastPlace_m = place_m.cast<float>();
-        object.erased = static_cast<std::size_t>(erased);
-        object.placeWasEmpty = wasEmpty != 0;
-        object.state = objectState(state);
-        memory.objects.emplace(id, object);
-      });
-  forEachRow(database, "votes for object", "SELECT object, class_id, confidence FROM object_votes",
-             [&memory](ColumnReader row) {
-               mapping::ObjectId id = 0;
-               core::ClassId classId = 0;
-               double confidence = 0.0;
-               row >> id >> classId >> within(confidence, 0.0, 1e12);
-               const auto object = memory.objects.find(id);
-               if (object == memory.objects.end()) throw core::BlobError("nothing else is remembered of it");
-               object->second.votes[classId] = confidence;
-             });
-  forEachRow(database, "pair of object", "SELECT object, other, together, apart FROM object_pairs",
-             [&memory](ColumnReader row) {
-               std::pair<mapping::ObjectId, mapping::ObjectId> ids;
-               mapping::PairMemory pair;
-               row >> ids.first >> ids.second >> pair.together >> pair.apart;
-               memory.pairs.emplace(ids, pair);
-             });
 }
 
 }  // namespace
@@ -346,6 +319,7 @@ MapHeader readHeader(SQLite::Database& database) {
     core::ClassId id = 0;
     std::string name;
     row >> id >> name;
+    if (name.empty()) throw core::BlobError("it is empty");
     header.labels.rename(id, name);
   });
   return header;
@@ -368,24 +342,21 @@ mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud, PieceP
   return map;
 }
 
-mapping::MapMemory readMemory(SQLite::Database& database) {
-  mapping::MapMemory memory;
-  readTileMemories(database, memory);
-  readObjectMemories(database, memory);
-  return memory;
-}
-
 std::vector<odometry::Keyframe> readViews(SQLite::Database& database) {
   auto views = readKeyframesWithFeatures(database);
   for (const auto& edge : readEdges(database, "odometry")) {
     if (const auto view = views.find(edge.to); view != views.end()) view->second.T_previous_cam = edge.T_from_to;
   }
   forEachRow(database, "sighting of keyframe",
-             "SELECT keyframe, point, keypoint FROM sightings ORDER BY keyframe, point", [&views](ColumnReader row) {
+             "SELECT keyframe, point, keypoint, id IS NOT NULL FROM sightings LEFT JOIN points ON id = point "
+             "ORDER BY keyframe, point",
+             [&views](ColumnReader row) {
                odometry::KeyframeId keyframe = 0;
                odometry::PointId point = 0;
                std::uint64_t keypoint = 0;
-               row >> keyframe >> point >> keypoint;
+               int isKnown = 0;
+               row >> keyframe >> point >> keypoint >> isKnown;
+               if (isKnown == 0) throw core::BlobError("it names a point that is not there");
                const auto view = views.find(keyframe);
                if (view == views.end()) throw core::BlobError("that keyframe has no features");
                if (keypoint >= view->second.features.size())
@@ -403,18 +374,22 @@ std::map<odometry::PointId, Eigen::Vector3d> readPoints(SQLite::Database& databa
   forEachRow(database, "point", "SELECT id, x_m, y_m, z_m FROM points ORDER BY id", [&points](ColumnReader row) {
     odometry::PointId id = 0;
     Eigen::Vector3d p_map_m;
-    row >> id >> p_map_m;
+    row >> idIn(id) >> p_map_m;
     points.emplace(id, p_map_m);
   });
   return points;
 }
 
 std::uint32_t readFreeSubmap(SQLite::Database& database) {
-  return static_cast<std::uint32_t>(
-      database
-          .execAndGet("SELECT 1 + coalesce(max(n), 0) FROM "
-                      "(SELECT max(stretch) AS n FROM views UNION ALL SELECT max(piece) FROM keyframes)")
-          .getInt64());
+  std::uint32_t used = 0;
+  forEachRow(database, "number of the newest",
+             "SELECT 'piece', coalesce(max(piece), 0) AS piece FROM "
+             "(SELECT max(stretch) AS piece FROM views UNION ALL SELECT max(piece) FROM keyframes)",
+             [&used](ColumnReader row) {
+               std::string name;
+               row >> name >> pieceIn(used);
+             });
+  return used + 1;
 }
 
 std::vector<LoopEdge> readLoops(SQLite::Database& database) { return readEdges(database, "loop"); }

@@ -3,6 +3,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <string>
 
 #include "wardslam/core/blob.h"
@@ -56,6 +57,17 @@ template <class Number>
 inline constexpr double kFarthest_m = 1e8;
 inline constexpr double kLatest_s = 1e11;
 
+/// What ids, pieces and counts of any map have room in; the next ones still fit where they are counted.
+inline constexpr std::uint64_t kHighestId = std::uint64_t{1} << 53U;
+inline constexpr std::uint32_t kHighestSmallId = 4'000'000'000;
+inline constexpr std::uint32_t kMostPieces = 1'000'000'000;
+inline constexpr int kMostCounted = 1'000'000'000;
+[[nodiscard]] inline Within<double> stampIn(double& stamp_s) { return {stamp_s, 0.0, kLatest_s}; }
+[[nodiscard]] inline Within<std::uint64_t> idIn(std::uint64_t& id) { return {id, 0, kHighestId}; }
+[[nodiscard]] inline Within<std::uint32_t> idIn(std::uint32_t& id) { return {id, 0, kHighestSmallId}; }
+[[nodiscard]] inline Within<std::uint32_t> pieceIn(std::uint32_t& piece) { return {piece, 0, kMostPieces}; }
+[[nodiscard]] inline Within<int> countIn(int& count) { return {count, 0, kMostCounted}; }
+
 /// Throws BlobError where a column is no number, or one outside its type or its bounds, and where a quaternion has no
 /// direction. Vectors are positions or lengths (m): no farther than kFarthest_m.
 class ColumnReader {
@@ -97,6 +109,19 @@ class ColumnReader {
   SQLite::Statement& statement_;
   int index_ = 0;
 };
+
+/// Hands every row to `take`; trouble with a row is told with `what` it is and its first column.
+template <class Take>
+void forEachRow(SQLite::Database& database, const std::string& what, const char* sql, const Take& take) {
+  SQLite::Statement statement(database, sql);
+  while (statement.executeStep()) {
+    try {
+      take(ColumnReader(statement));
+    } catch (const core::BlobError& error) {
+      throw core::BlobError(what + " " + statement.getColumn(0).getString() + ": " + error.what());
+    }
+  }
+}
 
 [[nodiscard]] mapping::ObjectState objectState(const std::string& name);  ///< Throws BlobError.
 

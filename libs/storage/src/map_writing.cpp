@@ -6,6 +6,7 @@
 #include <array>
 
 #include "blob_codecs.h"
+#include "lasting_features.h"
 #include "map_reading.h"
 #include "map_rows.h"
 
@@ -223,7 +224,7 @@ void replaceGraph(SQLite::Database& database, const GraphContent& graph) {
   SQLite::Statement pointRow(database, "INSERT INTO points VALUES (?, ?,?,?)");
   for (const auto& [point, p_map_m] : graph.p_map_m) (ParameterBinder(pointRow) << point << p_map_m).run();
   SQLite::Statement sightingRow(database, "INSERT INTO sightings VALUES (?,?,?)");
-  for (const auto& [keyframe, sightings] : graph.sightings) {
+  for (const auto& [keyframe, sightings] : keepLastingFeatures(database, graph.sightings)) {
     for (const auto& [point, keypoint] : sightings) {
       (ParameterBinder(sightingRow) << keyframe << point << std::uint64_t{keypoint}).run();
     }

@@ -105,6 +105,10 @@ struct SlamOptions {
 /// The same from a configuration that is read already, as if it stood in `root.file()`.
 [[nodiscard]] SlamOptions readSlamOptions(const core::ConfigNode& root);
 
+/// The same YAML with files by their names alone: nothing of the computer it was written on, and enough to tell which
+/// network and masks they were.
+[[nodiscard]] std::string withoutFolders(const std::string& yaml);
+
 /// All options as commented YAML that readSlamOptions() takes. The chain knows the parameters of `options.filters`.
 [[nodiscard]] std::string writeSlamOptions(const SlamOptions& options, const filters::FilterChain& chain);
 

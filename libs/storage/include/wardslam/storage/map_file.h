@@ -39,7 +39,8 @@ struct MapChanges {
   std::map<odometry::PointId, odometry::PointId> fusedPoints;    ///< The first turned out to be the second.
   std::vector<odometry::PointId> removedPoints;
   std::vector<odometry::KeyframeId> removedKeyframes;  ///< With all that names them, and points nobody else saw.
-  std::optional<GraphContent> graph;                   ///< In place of all sightings, points and loops there are.
+  /// In place of all sightings, points and loops there are; key points that show none of the points are erased.
+  std::optional<GraphContent> graph;
   std::vector<LoopEdge> loops;
   std::map<odometry::KeyframeId, mapping::SemanticCloudTile> cloud;  ///< A tile without points is removed.
   std::vector<mapping::MapObject> objects;
@@ -122,6 +123,10 @@ class MapFile {
 
   /// Writes into a copy and gives it the file's name: programs that read the file go on reading what they opened.
   void writeBeside(const MapChanges& changes);
+
+  /// Writes what is in the file into a new one, which takes its name: nothing is left of what was erased, and it is as
+  /// small as it can be. Programs that read the file go on reading what they opened.
+  void compact();
 
   [[nodiscard]] MapFileInfo info() const;
   [[nodiscard]] MapHeader header() const;

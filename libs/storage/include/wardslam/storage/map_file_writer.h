@@ -36,6 +36,9 @@ class MapFileWriter {
 
   void setWarningSink(WarningSink warn) { warn_ = std::move(warn); }
 
+  /// Before the first keyframe: stamps in the file are seconds since then (UNIX s), not UNIX seconds. For new maps.
+  void setStampOrigin(double origin_s) { stampOrigin_s_ = origin_s; }
+
   /// Writes that failed so far and were, or are to be, made up for.
   [[nodiscard]] std::size_t failedWrites() const { return failedWrites_; }
 
@@ -47,12 +50,14 @@ class MapFileWriter {
   void write(mapping::MapBuilder& builder);
 
   /// Writes the map as it is in the end, floor plan and loops included; where another program holds the file, beside
-  /// it, and the name goes over. Throws core::InputError when that fails; may be tried again then.
+  /// it, and the name goes over. Of what was erased meanwhile, key points that did not last among it, nothing is left
+  /// in the file. Throws core::InputError when that fails; may be tried again then.
   void finish(mapping::MapBuilder& builder, const graph::Mapper& mapper);
 
  private:
   [[nodiscard]] MapChanges takeFrom(mapping::MapBuilder& builder);
   void put(const MapChanges& changes, int patience_ms);
+  void compact();
   void forgetWritten(const MapChanges& changes);
   void fail(const core::InputError& error);
 
@@ -71,6 +76,7 @@ class MapFileWriter {
   mapping::MapParts unwritten_;  ///< Of the builder.
   MapChanges pending_;           ///< Of the graph.
 
+  std::optional<double> stampOrigin_s_;
   WarningSink warn_ = [](const std::string&) {};
   std::size_t failedWrites_ = 0;
   bool isFailing_ = false;  ///< The last write did.
