@@ -62,6 +62,13 @@ TEST(StampClock, ReadsFiniteNumbersOnly) {
   }
 }
 
+TEST(StampClock, NanosecondsAreTheNearestSeconds) {
+  EXPECT_EQ(secondsOf(1'700'000'000'100'000'000), 1700000000.1);
+  EXPECT_EQ(secondsOf(1'700'000'000'033'333'000), 1700000000.033333);
+  EXPECT_EQ(secondsOf(1'305'031'102'175'304'321), 1305031102.175304321);
+  EXPECT_EQ(secondsOf(-1'500'000'000), -1.5);
+}
+
 TEST(StampClock, SaysWhatItCounts) {
   EXPECT_THAT(StampClock(StampUnit::Nanoseconds).sentencePart(), HasSubstr("nanoseconds"));
   EXPECT_THAT(StampClock(StampUnit::Frames, 25.0).sentencePart(), HasSubstr("25 a second"));

@@ -213,12 +213,29 @@ TEST_F(JoinConfirmationTest, AfterItWentFarUnseenOneRoomIsNotEnough) {
 }
 
 /// A metre and 3 s at 1.5 m/s, to either side: 11 m.
-TEST_F(JoinConfirmationTest, AfterAFewSecondsUnseenOneRoomIsNotEnoughHoweverWellItFits) {
+TEST_F(JoinConfirmationTest, AfterAFewSecondsUnseenOneLookIsBorneOutAllOverTheImage) {
   const KeyframeGraph lost = lostFor(3.0);
-  for (KeyframeId newest = 15; newest <= 23; ++newest) {
-    EXPECT_THAT(confirmation_.confirm(lost, newest, {strongLoop(newest - 14, newest)}), IsEmpty()) << newest;
+  const auto back = [](KeyframeId newer) {
+    Loop look = strongLoop(12, newer);
+    look.T_older_newer = makePose({static_cast<double>(newer) - 15.0, 0, 0});
+    look.inliers = 40;
+    return look;
+  };
+  for (KeyframeId newest = 15; newest <= 19; ++newest) {
+    Loop ofAPart = back(newest);
+    ofAPart.spread = 0.4;
+    EXPECT_THAT(confirmation_.confirm(lost, newest, {ofAPart}), IsEmpty()) << newest;
   }
-  EXPECT_THAT(confirmation_.confirm(lost, 24, {strongLoop(10, 24)}), SizeIs(10)) << "nine metres on";
+  const Loop allOver = back(20);
+  EXPECT_THAT(confirmation_.confirm(lost, 20, {allOver}), SizeIs(6));
+}
+
+/// Six metres back within three seconds, and on as before.
+TEST_F(JoinConfirmationTest, WhereOnlySomebodyElseCanHaveCarriedItARoomIsNotEnoughHoweverWellItFits) {
+  const KeyframeGraph lost = lostFor(3.0);
+  for (KeyframeId newest = 15; newest <= 21; ++newest) {
+    EXPECT_THAT(confirmation_.confirm(lost, newest, {strongLoop(newest - 7, newest)}), IsEmpty()) << newest;
+  }
 }
 
 /// From keyframe 14, which stands at x = 13, it went on at 1 m/s.

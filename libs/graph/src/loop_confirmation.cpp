@@ -10,6 +10,7 @@ namespace wardslam::graph {
 namespace {
 
 constexpr double kLeastDouble_m = 8.0;  // nearer to each other, rooms that look the same are rare,
+constexpr double kLeastRow_m = 16.0;    // and of those the camera sees no more than a part, or it is one of a row
 constexpr double kMostRoom_m = 8.0;     // and larger is hardly one that looks the same all over
 constexpr std::size_t kMostUnsettled = 200;
 constexpr double kDisagreementPerMetre = 0.03;  // the camera goes on between two looks, and drifts
@@ -194,7 +195,13 @@ bool LoopConfirmation::isConfirmed(const KeyframeGraph& graph, const Hypothesis&
 bool LoopConfirmation::isWideEnough(const KeyframeGraph& graph, const Hypothesis& hypothesis) const {
   const Loop& last = hypothesis.back();
   if (!joins(graph, last)) return true;
-  if (graph::ambiguity_m(graph, last, verification_).value_or(0.0) <= kLeastDouble_m) return true;
+  const double ambiguity_m = graph::ambiguity_m(graph, last, verification_).value_or(0.0);
+  if (ambiguity_m <= kLeastDouble_m) return true;
+  const auto isOfAllThereIs = [this](const Loop& loop) { return isAllOver(loop); };
+  if (ambiguity_m <= kLeastRow_m && canBeDriven(graph, last, verification_) &&
+      std::any_of(hypothesis.begin(), hypothesis.end(), isOfAllThereIs)) {
+    return true;
+  }
   const auto isFar = [&](const Loop& a, const Loop& b) {
     const Eigen::Vector3d way_m =
         graph.keyframes().at(a.newer).T_map_cam.translation() - graph.keyframes().at(b.newer).T_map_cam.translation();
@@ -205,10 +212,14 @@ bool LoopConfirmation::isWideEnough(const KeyframeGraph& graph, const Hypothesis
   });
 }
 
-/// Not one thing that looks like another, but all that there is to see.
 bool LoopConfirmation::isStrong(const Loop& loop) const {
-  return loop.inliers >= options_.strong_inliers && loop.spread >= options_.strong_spread &&
-         loop.depth.overlap() >= options_.strong_overlap && loop.depth.contradiction() <= options_.strong_contradiction;
+  return loop.inliers >= options_.strong_inliers && isAllOver(loop);
+}
+
+/// Not one thing that looks like another, but all that there is to see.
+bool LoopConfirmation::isAllOver(const Loop& loop) const {
+  return loop.spread >= options_.strong_spread && loop.depth.overlap() >= options_.strong_overlap &&
+         loop.depth.contradiction() <= options_.strong_contradiction;
 }
 
 /// A rival with half as many witnesses says that this place looks like another: then only going on tells. Between

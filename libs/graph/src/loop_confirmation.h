@@ -49,6 +49,7 @@ class LoopConfirmation {
   void forget(const KeyframeGraph& graph, KeyframeId newest);
   void keepUnsettled(const KeyframeGraph& graph, Hypothesis hypothesis);
 
+  [[nodiscard]] bool isAllOver(const Loop& loop) const;
   [[nodiscard]] bool isWideEnough(const KeyframeGraph& graph, const Hypothesis& hypothesis) const;
 
   LoopConfirmationOptions options_;

@@ -8,6 +8,7 @@ namespace {
 constexpr double kLeastSpeed_mps = 0.5;
 constexpr double kFasterUnseen = 1.5;
 constexpr double kLeastTime_s = 1.0;
+constexpr double kMostAcceleration_mps2 = 1.0;
 
 /// How far the camera can be from a keyframe, and how far it must be, while later ones pass by. How a stretch that is
 /// tracked without a gap lies to the one before nobody knows, but each is as long as it is.
@@ -77,22 +78,23 @@ double usualSpeed_mps(const KeyframeGraph& graph, double most_mps) {
   return std::min(fastest_mps, most_mps);
 }
 
-/// As the camera went at a keyframe; 0 where it was not tracked for long enough to tell.
-Eigen::Vector3d velocityAt_mps(const KeyframeGraph& graph, const KeyframeNode& at) {
+/// As the camera went at a keyframe; nothing where it was not tracked for long enough to tell.
+std::optional<Eigen::Vector3d> velocityAt_mps(const KeyframeGraph& graph, const KeyframeNode& at) {
   for (auto before = graph.keyframes().find(at.keyframe->id); before != graph.keyframes().begin();) {
     const KeyframeNode& node = (--before)->second;
     if (node.submap != at.submap || node.keyframe->submap != at.keyframe->submap) break;
     const double since_s = at.keyframe->stamp_s - node.keyframe->stamp_s;
-    if (since_s >= kLeastTime_s) return (at.T_map_cam.translation() - node.T_map_cam.translation()) / since_s;
+    if (since_s < kLeastTime_s) continue;
+    return Eigen::Vector3d((at.T_map_cam.translation() - node.T_map_cam.translation()) / since_s);
   }
-  return Eigen::Vector3d::Zero();
+  return std::nullopt;
 }
 
 /// From a keyframe of one of the loop's pieces to the next one of the other, in the older one's frame.
 struct Crossing {
-  Eigen::Vector3d way_m;         ///< By the loop.
-  Eigen::Vector3d velocity_mps;  ///< When it began.
-  const Reach& reach;            ///< From there.
+  Eigen::Vector3d way_m;                        ///< By the loop.
+  std::optional<Eigen::Vector3d> velocity_mps;  ///< When it began, where that is known.
+  const Reach& reach;                           ///< From there.
 };
 
 /// Calls for every keyframe of one of the loop's pieces that comes after one of the other.
@@ -114,19 +116,35 @@ void forEachCrossing(const KeyframeGraph& graph, const Loop& loop, const LoopVer
     if (before != nullptr && before->submap != node.submap) {
       const Eigen::Vector3d way_m =
           T_older(node) * node.T_map_cam.translation() - T_older(*before) * before->T_map_cam.translation();
-      visit(Crossing{way_m, T_older(*before).linear() * velocityAt_mps(graph, *before), reach});
+      auto velocity_mps = velocityAt_mps(graph, *before);
+      if (velocity_mps) velocity_mps = T_older(*before).linear() * *velocity_mps;
+      visit(Crossing{way_m, velocity_mps, reach});
     }
     before = &node;
     reach.startFrom(node);
   }
 }
 
+/// Where the camera would be if it had gone on as before.
+std::optional<Eigen::Vector3d> straightOn_m(const Crossing& crossing) {
+  const auto lost_s = crossing.reach.lostInOneGo_s();
+  if (!lost_s || !crossing.velocity_mps) return std::nullopt;
+  return Eigen::Vector3d(*lost_s * *crossing.velocity_mps);
+}
+
+bool canBeDriven(const Crossing& crossing, const LoopVerificationOptions& options) {
+  const auto ahead_m = straightOn_m(crossing);
+  if (!ahead_m) return true;
+  const double lost_s = *crossing.reach.lostInOneGo_s();
+  const double turned_m = 0.5 * kMostAcceleration_mps2 * lost_s * lost_s;
+  return (crossing.way_m - *ahead_m).norm() <= turned_m + options.lost_margin_m;
+}
+
 /// Who goes on as before, or stops on the way, is near the straight way on; else it may be anywhere around.
 double ambiguity_m(const Crossing& crossing, double speed_mps, const LoopVerificationOptions& options) {
   const double anywhere_m = 2 * crossing.reach.lost_m(speed_mps);
-  const auto lost_s = crossing.reach.lostInOneGo_s();
-  if (!lost_s) return anywhere_m;
-  const Eigen::Vector3d halfWay_m = 0.5 * *lost_s * crossing.velocity_mps;
+  if (!crossing.reach.lostInOneGo_s()) return anywhere_m;
+  const Eigen::Vector3d halfWay_m = 0.5 * straightOn_m(crossing).value_or(Eigen::Vector3d::Zero());
   const double radius_m = halfWay_m.norm() + options.lost_margin_m;
   const bool wentOn = (crossing.way_m - halfWay_m).norm() <= radius_m;
   return wentOn ? std::min(anywhere_m, 2 * radius_m) : anywhere_m;
@@ -143,6 +161,16 @@ std::optional<double> ambiguity_m(const KeyframeGraph& graph, const Loop& loop,
     least_m = std::min(least_m.value_or(here_m), here_m);
   });
   return least_m;
+}
+
+bool canBeDriven(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options) {
+  bool isAny = false;
+  bool isAnyDriven = false;
+  forEachCrossing(graph, loop, options, [&](const Crossing& crossing) {
+    isAny = true;
+    isAnyDriven = isAnyDriven || canBeDriven(crossing, options);
+  });
+  return !isAny || isAnyDriven;
 }
 
 bool isWithinReach(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options) {

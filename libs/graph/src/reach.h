@@ -16,6 +16,10 @@ namespace wardslam::graph {
 [[nodiscard]] std::optional<double> ambiguity_m(const KeyframeGraph& graph, const Loop& loop,
                                                 const LoopVerificationOptions& options);
 
+/// Whether who goes as it was going, and turns or brakes with 1 m/s² at most, can come to where the loop says: else
+/// somebody carried it there, or it is elsewhere. True where nothing tells.
+[[nodiscard]] bool canBeDriven(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options);
+
 /// Whether the camera can have come from one piece to the other, as a loop between them says they lie, in the time that
 /// it had: tracked stretches lead as far as they lead, no farther and no less far, and where it was lost it can have
 /// gone on with some speed. Keyframes of an earlier run say nothing, as anything may have happened since.

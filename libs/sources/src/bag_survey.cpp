@@ -5,11 +5,10 @@
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/stamp_association.h"
+#include "wardslam/core/stamp_clock.h"
 
 namespace wardslam::sources {
 namespace {
-
-constexpr double kNanosecond_s = 1e-9;
 
 std::string textOf(double stamp_s) {
   char text[32];
@@ -64,7 +63,7 @@ class Surveyor {
       return;
     }
     const bags::Header header = bags::readHeader(message, wire);
-    const BagMessage stamped{static_cast<double>(header.stamp_ns) * kNanosecond_s, entry};
+    const BagMessage stamped{core::secondsOf(header.stamp_ns), entry};
     if (isImu) found_.imus.push_back(stamped);
     if (topic == streams_.odometry) {
       if (found_.odometries.empty()) found_.robotFrame = bags::readOdometry(message, wire).child;
@@ -136,7 +135,7 @@ class Surveyor {
 
   void takeTimesOfRecording(std::vector<BagMessage>& messages) const {
     for (BagMessage& message : messages) {
-      message.stamp_s = static_cast<double>(bag_.entries()[message.entry].logged_ns) * kNanosecond_s;
+      message.stamp_s = core::secondsOf(bag_.entries()[message.entry].logged_ns);
     }
   }
 
@@ -162,7 +161,7 @@ class Surveyor {
 std::string nameOf(const bags::BagReader& bag, std::size_t entry) {
   const bags::Entry& about = bag.entries()[entry];
   return "topic " + bag.topics()[about.topic].name + ", message recorded at " +
-         textOf(static_cast<double>(about.logged_ns) * kNanosecond_s) + " s";
+         textOf(core::secondsOf(about.logged_ns)) + " s";
 }
 
 BagSurvey survey(bags::BagReader& bag, const BagStreams& streams, const std::string& file, DamageLog& damage) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,9 @@ namespace wardslam::core {
 
 /// What the stamps of a list or in the names of files count.
 enum class StampUnit { Seconds, Milliseconds, Microseconds, Nanoseconds, Frames };
+
+/// The double nearest to it, which the same time written in seconds is read as.
+[[nodiscard]] double secondsOf(std::int64_t stamp_ns);
 
 /// Tells the time by stamps as other programs write them: "1305031102.1754" (s), "1305031102175" (ms), … , "42" (the
 /// 43rd image).
