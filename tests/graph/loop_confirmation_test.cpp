@@ -215,18 +215,20 @@ TEST_F(JoinConfirmationTest, AfterItWentFarUnseenOneRoomIsNotEnough) {
 /// A metre and 3 s at 1.5 m/s, to either side: 11 m.
 TEST_F(JoinConfirmationTest, AfterAFewSecondsUnseenOneLookIsBorneOutAllOverTheImage) {
   const KeyframeGraph lost = lostFor(3.0);
-  const auto back = [](KeyframeId newer) {
+  const Eigen::Isometry3d T_12_15 =  // it turned to the left: half a metre back, and 2.5 m to the side
+      Eigen::Translation3d(1.5, 2.5, 0) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
+  const auto turned = [&](KeyframeId newer) {
     Loop look = strongLoop(12, newer);
-    look.T_older_newer = makePose({static_cast<double>(newer) - 15.0, 0, 0});
+    look.T_older_newer = T_12_15 * makePose({static_cast<double>(newer) - 15.0, 0, 0});
     look.inliers = 40;
     return look;
   };
   for (KeyframeId newest = 15; newest <= 19; ++newest) {
-    Loop ofAPart = back(newest);
+    Loop ofAPart = turned(newest);
     ofAPart.spread = 0.4;
     EXPECT_THAT(confirmation_.confirm(lost, newest, {ofAPart}), IsEmpty()) << newest;
   }
-  const Loop allOver = back(20);
+  const Loop allOver = turned(20);
   EXPECT_THAT(confirmation_.confirm(lost, 20, {allOver}), SizeIs(6));
 }
 

@@ -78,23 +78,43 @@ double usualSpeed_mps(const KeyframeGraph& graph, double most_mps) {
   return std::min(fastest_mps, most_mps);
 }
 
-/// As the camera went at a keyframe; nothing where it was not tracked for long enough to tell.
-std::optional<Eigen::Vector3d> velocityAt_mps(const KeyframeGraph& graph, const KeyframeNode& at) {
+bool areOfOneStretch(const KeyframeNode& a, const KeyframeNode& b) {
+  return a.submap == b.submap && a.keyframe->submap == b.keyframe->submap;
+}
+
+Eigen::Vector3d velocityBetween_mps(const KeyframeNode& from, const KeyframeNode& to) {
+  return (to.T_map_cam.translation() - from.T_map_cam.translation()) / (to.keyframe->stamp_s - from.keyframe->stamp_s);
+}
+
+bool isLongEnough(const KeyframeNode& from, const KeyframeNode& to) {
+  return to.keyframe->stamp_s - from.keyframe->stamp_s >= kLeastTime_s;
+}
+
+/// As the camera came to a keyframe; nothing where it was not tracked for long enough to tell.
+std::optional<Eigen::Vector3d> velocityTo_mps(const KeyframeGraph& graph, const KeyframeNode& at) {
   for (auto before = graph.keyframes().find(at.keyframe->id); before != graph.keyframes().begin();) {
     const KeyframeNode& node = (--before)->second;
-    if (node.submap != at.submap || node.keyframe->submap != at.keyframe->submap) break;
-    const double since_s = at.keyframe->stamp_s - node.keyframe->stamp_s;
-    if (since_s < kLeastTime_s) continue;
-    return Eigen::Vector3d((at.T_map_cam.translation() - node.T_map_cam.translation()) / since_s);
+    if (!areOfOneStretch(node, at)) break;
+    if (isLongEnough(node, at)) return velocityBetween_mps(node, at);
+  }
+  return std::nullopt;
+}
+
+/// As it went on from there.
+std::optional<Eigen::Vector3d> velocityFrom_mps(const KeyframeGraph& graph, const KeyframeNode& at) {
+  for (auto after = graph.keyframes().find(at.keyframe->id); after != graph.keyframes().end(); ++after) {
+    if (!areOfOneStretch(after->second, at)) break;
+    if (isLongEnough(at, after->second)) return velocityBetween_mps(at, after->second);
   }
   return std::nullopt;
 }
 
 /// From a keyframe of one of the loop's pieces to the next one of the other, in the older one's frame.
 struct Crossing {
-  Eigen::Vector3d way_m;                        ///< By the loop.
-  std::optional<Eigen::Vector3d> velocity_mps;  ///< When it began, where that is known.
-  const Reach& reach;                           ///< From there.
+  Eigen::Vector3d way_m;                              ///< By the loop.
+  std::optional<Eigen::Vector3d> velocityBefore_mps;  ///< Where that is known.
+  std::optional<Eigen::Vector3d> velocityAfter_mps;   ///< Likewise.
+  const Reach& reach;                                 ///< From there.
 };
 
 /// Calls for every keyframe of one of the loop's pieces that comes after one of the other.
@@ -116,35 +136,34 @@ void forEachCrossing(const KeyframeGraph& graph, const Loop& loop, const LoopVer
     if (before != nullptr && before->submap != node.submap) {
       const Eigen::Vector3d way_m =
           T_older(node) * node.T_map_cam.translation() - T_older(*before) * before->T_map_cam.translation();
-      auto velocity_mps = velocityAt_mps(graph, *before);
-      if (velocity_mps) velocity_mps = T_older(*before).linear() * *velocity_mps;
-      visit(Crossing{way_m, velocity_mps, reach});
+      auto before_mps = velocityTo_mps(graph, *before);
+      if (before_mps) before_mps = T_older(*before).linear() * *before_mps;
+      auto after_mps = velocityFrom_mps(graph, node);
+      if (after_mps) after_mps = T_older(node).linear() * *after_mps;
+      visit(Crossing{way_m, before_mps, after_mps, reach});
     }
     before = &node;
     reach.startFrom(node);
   }
 }
 
-/// Where the camera would be if it had gone on as before.
-std::optional<Eigen::Vector3d> straightOn_m(const Crossing& crossing) {
-  const auto lost_s = crossing.reach.lostInOneGo_s();
-  if (!lost_s || !crossing.velocity_mps) return std::nullopt;
-  return Eigen::Vector3d(*lost_s * *crossing.velocity_mps);
-}
-
+/// Who speeds up at most for half of the time, and slows down for the other half, comes a quarter of a t² off the way
+/// that even acceleration leads.
 bool canBeDriven(const Crossing& crossing, const LoopVerificationOptions& options) {
-  const auto ahead_m = straightOn_m(crossing);
-  if (!ahead_m) return true;
-  const double lost_s = *crossing.reach.lostInOneGo_s();
-  const double turned_m = 0.5 * kMostAcceleration_mps2 * lost_s * lost_s;
-  return (crossing.way_m - *ahead_m).norm() <= turned_m + options.lost_margin_m;
+  const auto lost_s = crossing.reach.lostInOneGo_s();
+  if (!lost_s || !crossing.velocityBefore_mps) return true;
+  if (!crossing.velocityAfter_mps) return false;  // soon it is known
+  const Eigen::Vector3d even_m = 0.5 * *lost_s * (*crossing.velocityBefore_mps + *crossing.velocityAfter_mps);
+  const double off_m = 0.25 * kMostAcceleration_mps2 * *lost_s * *lost_s;
+  return (crossing.way_m - even_m).norm() <= off_m + options.lost_margin_m;
 }
 
 /// Who goes on as before, or stops on the way, is near the straight way on; else it may be anywhere around.
 double ambiguity_m(const Crossing& crossing, double speed_mps, const LoopVerificationOptions& options) {
   const double anywhere_m = 2 * crossing.reach.lost_m(speed_mps);
-  if (!crossing.reach.lostInOneGo_s()) return anywhere_m;
-  const Eigen::Vector3d halfWay_m = 0.5 * straightOn_m(crossing).value_or(Eigen::Vector3d::Zero());
+  const auto lost_s = crossing.reach.lostInOneGo_s();
+  if (!lost_s) return anywhere_m;
+  const Eigen::Vector3d halfWay_m = 0.5 * *lost_s * crossing.velocityBefore_mps.value_or(Eigen::Vector3d::Zero());
   const double radius_m = halfWay_m.norm() + options.lost_margin_m;
   const bool wentOn = (crossing.way_m - halfWay_m).norm() <= radius_m;
   return wentOn ? std::min(anywhere_m, 2 * radius_m) : anywhere_m;

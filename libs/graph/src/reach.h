@@ -16,8 +16,8 @@ namespace wardslam::graph {
 [[nodiscard]] std::optional<double> ambiguity_m(const KeyframeGraph& graph, const Loop& loop,
                                                 const LoopVerificationOptions& options);
 
-/// Whether who goes as it was going, and turns or brakes with 1 m/s² at most, can come to where the loop says: else
-/// somebody carried it there, or it is elsewhere. True where nothing tells.
+/// Whether the camera, going as it went before and after, can have come to where the loop says with 1 m/s² at most:
+/// else somebody carried it there, or it is elsewhere. True where nothing is known of before, as in earlier runs.
 [[nodiscard]] bool canBeDriven(const KeyframeGraph& graph, const Loop& loop, const LoopVerificationOptions& options);
 
 /// Whether the camera can have come from one piece to the other, as a loop between them says they lie, in the time that
