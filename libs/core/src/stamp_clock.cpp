@@ -82,7 +82,8 @@ std::optional<StampUnit> unitBySteps(const std::vector<double>& numbers) {
 /// In two parts, as 19 digits are more than a double holds.
 double secondsOf(std::int64_t stamp_ns) {
   constexpr std::int64_t kSecond_ns = 1'000'000'000;
-  return static_cast<double>(stamp_ns / kSecond_ns) + static_cast<double>(stamp_ns % kSecond_ns) / 1e9;
+  const std::int64_t whole_s = stamp_ns / kSecond_ns;
+  return static_cast<double>(whole_s) + static_cast<double>(stamp_ns % kSecond_ns) / 1e9;
 }
 
 std::optional<double> StampClock::seconds(std::string_view word) const {
