@@ -32,13 +32,41 @@ class OnnxWriter {
     graph_ += bytes(5, tensor);
   }
 
+  void addShape(const std::string& name, const std::vector<std::uint64_t>& sizes) {
+    std::string tensor = number(1, sizes.size()) + number(2, static_cast<std::uint64_t>(ElementType::Int64));
+    tensor += bytes(8, name);
+    tensor += bytes(9, std::string(reinterpret_cast<const char*>(sizes.data()), sizes.size() * sizeof(std::uint64_t)));
+    graph_ += bytes(5, tensor);
+  }
+
+  using Attributes = std::vector<std::pair<std::string, std::uint64_t>>;
+  using ListAttributes = std::vector<std::pair<std::string, std::vector<std::uint64_t>>>;
+
   void addNode(const std::string& operation, const std::string& name, const std::vector<std::string>& inputs,
-               const std::string& output, const std::vector<std::pair<std::string, std::uint64_t>>& attributes = {}) {
+               const std::string& output, const Attributes& attributes = {}, const ListAttributes& lists = {}) {
     std::string node;
     for (const auto& input : inputs) node += bytes(1, input);
     node += bytes(2, output) + bytes(3, name) + bytes(4, operation);
     for (const auto& [key, value] : attributes) node += bytes(5, bytes(1, key) + number(3, value) + number(20, kInt));
+    for (const auto& [key, values] : lists) {
+      std::string attribute = bytes(1, key);
+      for (const std::uint64_t value : values) attribute += number(8, value);
+      node += bytes(5, attribute + number(20, kInts));
+    }
     graph_ += bytes(1, node);
+  }
+
+  /// An output of these values, whatever the image `input` shows. cv::dnn has no outputs that depend on no input.
+  void addFixedOutput(const std::string& name, const std::string& input, const std::vector<std::uint64_t>& shape,
+                      const std::vector<float>& values) {
+    addNode("GlobalAveragePool", name + "_pool", {input}, name + "_mean");
+    addConstant(name + "_weights", {values.size(), 3, 1, 1}, std::vector<float>(values.size() * 3, 0.0F));
+    addConstant(name + "_values", {values.size()}, values);
+    addNode("Conv", name + "_conv", {name + "_mean", name + "_weights", name + "_values"}, name + "_row", {},
+            {{"kernel_shape", {1, 1}}});
+    addShape(name + "_shape", shape);
+    addNode("Reshape", name + "_reshape", {name + "_row", name + "_shape"}, name);
+    addOutput(name);
   }
 
   /// The file: IR version 7, operator set 12.
@@ -49,6 +77,7 @@ class OnnxWriter {
  private:
   static constexpr auto kFloat = static_cast<std::uint64_t>(ElementType::Float);
   static constexpr std::uint64_t kInt = 2;  // AttributeProto.AttributeType
+  static constexpr std::uint64_t kInts = 7;
 
   static std::string varint(std::uint64_t value) {
     std::string text;

@@ -211,7 +211,7 @@ TEST_F(RecordedMasksTest, TakesNumbersOfFewBitsAsTheyAreStored) {
   RecordedMasks masks = open();
   const auto segmentation = masks.segment({image_, kFirst_s}).segmentation;
   EXPECT_EQ(cv::countNonZero(segmentation.classIds == 1), kPerson.area() + kChair.area());
-  EXPECT_THAT(masks.notes(), ElementsAre(HasSubstr("1 bits a pixel")));
+  EXPECT_THAT(masks.notes(), ElementsAre(HasSubstr("have 1 bit a pixel")));
 }
 
 TEST_F(RecordedMasksTest, AsksWhatBlackAndWhiteMeans) {

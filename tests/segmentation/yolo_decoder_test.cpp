@@ -226,6 +226,13 @@ TEST_P(DecodeYolo, IgnoresNumbersThatAreNone) {
   EXPECT_EQ(segmentation.instances[0].box_px.size(), cv::Size(64, 64));
 }
 
+TEST_P(DecodeYolo, RefusesAConfidenceAboveOne) {
+  add(0, {{0, 0, 20, 20}, 0, 1.0F});
+  EXPECT_EQ(decode().instances.size(), 1U);
+  add(1, {{30, 0, 20, 20}, 1, 1.5F});
+  EXPECT_THROW((void)decode(), YoloLayoutError);
+}
+
 INSTANTIATE_TEST_SUITE_P(Layouts, DecodeYolo, ::testing::Values(Version::V5, Version::V8),
                          [](const auto& parameter) { return parameter.param == Version::V5 ? "V5" : "V8"; });
 
@@ -266,7 +273,7 @@ TEST(YoloEndToEnd, RowsAreCornersConfidenceAndClass) {
 }
 
 TEST(YoloEndToEnd, RefusesWhatIsNoConfidenceOrNoClass) {
-  EXPECT_THROW((void)decodeRow({10, 20, 40, 44, 56.0F, 0.8F, kEverywhere, 0}), YoloLayoutError);
+  EXPECT_THROW((void)decodeRow({10, 20, 40, 44, 56.0F, 2.0F, kEverywhere, 0}), YoloLayoutError);
   EXPECT_THROW((void)decodeRow({10, 20, 40, 44, 0.8F, 0.5F, kEverywhere, 0}), YoloLayoutError);
 }
 

@@ -100,6 +100,113 @@ TEST_F(YoloSegmenterTest, RefusesAnInputThatIsNoImageOrOfOpenSize) {
   }
 }
 
+TEST_F(YoloSegmenterTest, NamesAnOpenSizeBeforeWhatCannotBeLoaded) {
+  test::OnnxWriter onnx;
+  onnx.addInput("images", {1, 3, 0, 0});
+  onnx.addNode("Mystery", "mystery", {"images"}, "output0");
+  onnx.addOutput("output0");
+  expectRefused(folder_.write("open.onnx", onnx.model()), "leaves the size of its input open", "dynamic=False");
+}
+
+TEST_F(YoloSegmenterTest, NamesHalfFloatsBeforeWhatCannotBeLoaded) {
+  test::OnnxWriter onnx;
+  onnx.addInput("images", {1, 3, 64, 64}, test::OnnxWriter::ElementType::Float16);
+  onnx.addNode("Mystery", "mystery", {"images"}, "output0");
+  onnx.addOutput("output0");
+  expectRefused(folder_.write("half.onnx", onnx.model()), "16-bit floating-point numbers", "half=False");
+}
+
+/// A network of 64x64 pixels with two classes that finds one thing of class 1, whatever it sees.
+class MadeYolo {
+ public:
+  float confidence = 0.8F;
+  std::string names;
+  bool putsPrototypesFirst = false;
+  bool hasThirdOutput = false;
+
+  [[nodiscard]] std::string model() const {
+    test::OnnxWriter onnx;
+    onnx.addInput("images", {1, 3, 64, 64});
+    if (putsPrototypesFirst) addPrototypes(onnx);
+    addDetections(onnx);
+    if (!putsPrototypesFirst) addPrototypes(onnx);
+    if (hasThirdOutput) onnx.addFixedOutput("extra", "images", {1, 8, 8}, std::vector<float>(64, 0.0F));
+    if (!names.empty()) onnx.addMetadata("names", names);
+    return onnx.model();
+  }
+
+ private:
+  static constexpr std::size_t kAnchors = 8 * 8 + 4 * 4 + 2 * 2;  // of strides 8, 16 and 32
+  static constexpr std::size_t kAnchor = 7;
+
+  /// Middle, size, two scores and one coefficient, each for all anchors.
+  void addDetections(test::OnnxWriter& onnx) const {
+    std::vector<float> values(7 * kAnchors, 0.0F);
+    std::size_t row = 0;
+    for (const float value : {25.0F, 32.0F, 30.0F, 24.0F, 0.0F, confidence, 10.0F}) {
+      values[row++ * kAnchors + kAnchor] = value;
+    }
+    onnx.addFixedOutput("output0", "images", {1, 7, kAnchors}, values);
+  }
+  static void addPrototypes(test::OnnxWriter& onnx) {
+    onnx.addFixedOutput("output1", "images", {1, 1, 16, 16}, std::vector<float>(256, 1.0F));
+  }
+};
+
+class MadeYoloTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] YoloSegmenter open() const {
+    YoloOptions options;
+    options.model = folder_.write("made.onnx", made_.model()).string();
+    return YoloSegmenter(options, classes_);
+  }
+  [[nodiscard]] core::Segmentation segment() const {
+    return open().segment({cv::Mat(64, 64, CV_8UC3, cv::Scalar::all(90)), 0.0}).segmentation;
+  }
+  void expectTheWheelchair() const {
+    const auto found = segment();
+    ASSERT_EQ(found.instances.size(), 1U);
+    EXPECT_EQ(found.instances[0].classId, 105);  // of labels/hospital.yaml
+    EXPECT_EQ(found.instances[0].box_px, cv::Rect(10, 20, 30, 24));
+  }
+
+  test::TemporaryFolder folder_;
+  MadeYolo made_;
+  fs::path classes_;
+};
+
+TEST_F(MadeYoloTest, TakesTheNamesOfClassesFromTheFile) {
+  made_.names = "{0: 'person', 1: 'wheelchair'}";
+  EXPECT_EQ(open().labelSpace().name(105), "wheelchair");
+  expectTheWheelchair();
+}
+
+TEST_F(MadeYoloTest, TakesTheNamesThatAreGivenBeforeThoseOfTheFile) {
+  made_.names = "{0: 'person', 1: 'bed'}";
+  classes_ = folder_.write("two.yaml", "extends: hospital.yaml\nclasses: [person, wheelchair]\n");
+  expectTheWheelchair();
+}
+
+TEST_F(MadeYoloTest, AsksForNamesWhereThereAreNone) {
+  EXPECT_THAT([&] { (void)open(); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("made.onnx: knows 2 classes"), HasSubstr("--classes"))));
+}
+
+TEST_F(MadeYoloTest, PassesOverAThirdOutputAndTakesAnyOrder) {
+  made_.names = "{0: 'person', 1: 'wheelchair'}";
+  made_.hasThirdOutput = true;
+  expectTheWheelchair();
+  made_.putsPrototypesFirst = true;
+  expectTheWheelchair();
+}
+
+TEST_F(MadeYoloTest, RefusesAConfidenceAboveOne) {
+  made_.names = "{0: 'person', 1: 'wheelchair'}";
+  made_.confidence = 56.0F;
+  EXPECT_THAT([&] { (void)segment(); }, ThrowsMessage<core::InputError>(AllOf(HasSubstr("made.onnx: puts out"),
+                                                                              HasSubstr("56"), HasSubstr("above 1"))));
+}
+
 /// Intersection over union of what is called a person and what is one, per image with a large person.
 std::vector<double> personOverlaps(YoloSegmenter& segmenter, const fs::path& sequence, std::size_t step) {
   std::vector<fs::path> images;

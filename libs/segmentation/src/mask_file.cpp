@@ -45,7 +45,8 @@ cv::Mat equalChannel(const cv::Mat& image) {
 std::string encodingOf(const RawPng& png) {
   if (png.kind == RawPng::Kind::Palette) return "are pictures with a palette, whose indices are taken for class ids";
   if (png.kind != RawPng::Kind::Gray || png.bits == 8) return {};
-  return "have " + std::to_string(png.bits) + " bits a pixel, which are taken for class ids as they are stored";
+  return "have " + std::to_string(png.bits) + (png.bits == 1 ? " bit" : " bits") +
+         " a pixel, which are taken for class ids as they are stored";
 }
 
 }  // namespace
