@@ -104,22 +104,25 @@ TEST(BagObservations, ScansSayWhereTheCameraSits) {
 
 // Depth was seen by a camera of its own, 15 mm beside, in units of 0.1 mm.
 TEST(BagObservations, ReadsWhatRealSensesOwnRecorderWrites) {
-  const Read read = readAll("realsense.bag");
-  ASSERT_EQ(read.scans.size(), 3U);
-  const CObservation3DRangeScan& scan = *read.scans.front();
-  EXPECT_EQ(scan.sensorLabel, "/device_0/sensor_1/Color_0/image/data");
-  EXPECT_FLOAT_EQ(scan.rangeUnits, 0.0001F);
-  EXPECT_EQ(scan.rangeImage(5, 10), 1100);
-  EXPECT_EQ(scan.cameraParams.fx(), 50.0);
-  EXPECT_EQ(scan.cameraParamsIntensity.fx(), 52.5);
-  // In MRPT's sensor frame, whose -y is the camera's x: a colour camera to the right of that of depth.
-  EXPECT_NEAR(scan.relativePoseIntensityWRTDepth.y(), -0.015, 1e-7);
-  EXPECT_NEAR(scan.relativePoseIntensityWRTDepth.x(), 0.0, 1e-7);
-  EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr("depth from /device_0/sensor_0/Depth_0/image/data"),
-                                         HasSubstr("depth is registered here, by the transforms recorded"))));
-  SourceOptions options;
-  options.depth_units_per_m = 1000.0;
-  EXPECT_FLOAT_EQ(readAll("realsense.bag", options).scans.at(0)->rangeUnits, 0.001F);
+  for (const char* name : {"realsense.bag", "realsense.db3"}) {
+    const Read read = readAll(name);
+    ASSERT_EQ(read.scans.size(), 3U) << name;
+    EXPECT_TRUE(read.damage.empty()) << name;
+    const CObservation3DRangeScan& scan = *read.scans.front();
+    EXPECT_EQ(scan.sensorLabel, "/device_0/sensor_1/Color_0/image/data");
+    EXPECT_FLOAT_EQ(scan.rangeUnits, 0.0001F);
+    EXPECT_EQ(scan.rangeImage(5, 10), 1100);
+    EXPECT_EQ(scan.cameraParams.fx(), 50.0);
+    EXPECT_EQ(scan.cameraParamsIntensity.fx(), 52.5);
+    // In MRPT's sensor frame, whose -y is the camera's x: a colour camera to the right of that of depth.
+    EXPECT_NEAR(scan.relativePoseIntensityWRTDepth.y(), -0.015, 1e-7);
+    EXPECT_NEAR(scan.relativePoseIntensityWRTDepth.x(), 0.0, 1e-7);
+    EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr("depth from /device_0/sensor_0/Depth_0/image/data"),
+                                           HasSubstr("depth is registered here, by the transforms recorded"))));
+    SourceOptions options;
+    options.depth_units_per_m = 1000.0;
+    EXPECT_FLOAT_EQ(readAll(name, options).scans.at(0)->rangeUnits, 0.001F) << name;
+  }
 }
 
 TEST(BagObservations, HasOdometryAndInertia) {

@@ -55,6 +55,23 @@ TEST(BagStreams, KnowsWhatRealSensesOwnRecorderWrites) {
   EXPECT_EQ(nameOf(streams.depthUnit.value()), "/device_0/sensor_0/option/Depth_Units/value");
 }
 
+TEST(BagStreams, KnowsTheTextsOfRealSensesOwnRecorder) {
+  test::FakeBag bag;
+  const std::string here = "rotation=1,0,0,0,1,0,0,0,1;translation=0,0,0";
+  bag.addRealSenseText("/device_0/sensor_0/Depth_0", "mono16", here);
+  bag.addRealSenseText("/device_0/sensor_1/Color_0", "rgb8", here);
+  bag.addText("/device_0/sensor_0/option/Depth_Units/value", "0.001000");
+  const BagStreams streams = find(bag);
+  const auto nameOf = [&](std::size_t topic) { return bag.topics()[topic].name; };
+  EXPECT_EQ(nameOf(streams.colorInfo.value()), "/device_0/sensor_1/Color_0/camera_info");
+  EXPECT_EQ(nameOf(streams.depthInfo.value()), "/device_0/sensor_0/Depth_0/camera_info");
+  EXPECT_EQ(nameOf(streams.colorPlace.value()), "/device_0/sensor_1/Color_0/tf/ref_0");
+  EXPECT_EQ(nameOf(streams.depthPlace.value()), "/device_0/sensor_0/Depth_0/tf/ref_0");
+  EXPECT_EQ(nameOf(streams.depthUnit.value()), "/device_0/sensor_0/option/Depth_Units/value");
+  EXPECT_EQ(realSenseStream("/device_0/sensor_1/Color_0/image/data/compressed"), "/device_0/sensor_1/Color_0");
+  EXPECT_EQ(realSenseStream("/camera/image/data"), "");
+}
+
 TEST(BagStreams, ListsTwoCamerasAndAsks) {
   test::FakeBag bag;
   addRealSense(bag, "/front");

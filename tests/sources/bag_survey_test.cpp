@@ -56,6 +56,21 @@ TEST_F(BagSurveyTest, TakesPlacesAndUnitFromRealSensesOwnRecorder) {
   EXPECT_NEAR(found.depthUnit_m.value(), 0.0001, 1e-9);
 }
 
+// The depth camera is turned by a quarter about z against the device, and 1 m along its x; colour sits in the device.
+TEST_F(BagSurveyTest, TakesThemFromTextsOfRealSensesOwnRecorder) {
+  bag.addRealSenseText("/device_0/sensor_1/Color_0", "rgb8", "rotation=1,0,0,0,1,0,0,0,1;translation=0,0,0");
+  bag.addRealSenseText("/device_0/sensor_0/Depth_0", "mono16", "rotation=0,1,0,-1,0,0,0,0,1;translation=1,0,0");
+  bag.addText("/device_0/sensor_0/option/Depth_Units/value", "0.000100");
+  const BagStreams streams = findStreams(bag, {}, true, "f.bag", [](const std::string&) {});
+  const BagSurvey found = survey(bag, streams, "f.bag", damage);
+  const auto T_depth_color = found.transforms.T(found.depthFrame, found.colorFrame);
+  ASSERT_TRUE(T_depth_color);
+  EXPECT_TRUE((*T_depth_color * Eigen::Vector3d(2, 0, 3)).isApprox(Eigen::Vector3d(1, 2, 3), 1e-9));
+  EXPECT_EQ(found.depthUnit_m.value(), 0.0001);
+  EXPECT_EQ(found.colorInfo.value().k[2], 320.0);
+  EXPECT_EQ(found.depthInfo.value().width_px, 640U);
+}
+
 TEST_F(BagSurveyTest, DoublesCountOnce) {
   color(10.0);
   color(10.0);

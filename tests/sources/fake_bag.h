@@ -60,6 +60,21 @@ class FakeBag : public bags::BagReader {
     addImage(stream + "/image/data", encoding, 10.0, "0");
   }
 
+  /// As it writes a stream into recordings of ROS 2: calibration and place as text.
+  void addRealSenseText(const std::string& stream, const std::string& encoding, const std::string& place) {
+    const std::string type = "std_msgs/String";
+    add(stream + "/camera_info", type, 0.0,
+        BytesMaker()
+            .text("width=640;height=480;fx=500;ppx=320;fy=500;ppy=240;model=Brown Conrady;coeffs=0,0,0,0,0")
+            .bytes());
+    add(stream + "/tf/ref_0", type, 0.0, BytesMaker().text(place).bytes());
+    addImage(stream + "/image/data", encoding, 10.0, stream.substr(stream.find_last_of('/') + 1));
+  }
+
+  void addText(const std::string& topic, const std::string& text) {
+    add(topic, "std_msgs/String", 0.0, BytesMaker().text(text).bytes());
+  }
+
   void addNumber(const std::string& topic, float number) {
     add(topic, "std_msgs/Float32", 0.0, BytesMaker().number(number).bytes());
   }

@@ -128,6 +128,11 @@ float readFloat32(ByteView message, Wire wire) {
   return fields.number<float>();
 }
 
+std::string readText(ByteView message, Wire wire) {
+  FieldReader fields(message, wire);
+  return fields.text();
+}
+
 Odometry readOdometry(ByteView message, Wire wire) {
   FieldReader fields(message, wire);
   Odometry odometry;

@@ -22,6 +22,7 @@ constexpr const char* kCameraInfo = "sensor_msgs/CameraInfo";
 constexpr const char* kOdometry = "nav_msgs/Odometry";
 constexpr const char* kTransform = "geometry_msgs/Transform";
 constexpr const char* kNumber = "std_msgs/Float32";
+constexpr const char* kText = "std_msgs/String";
 const std::vector<std::string> kImages = {kImage, kCompressedImage};
 
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
@@ -180,6 +181,10 @@ class Finder {
       if (name == space + "camera_info" || name == base + "/camera_info" || name == above + "info/camera_info")
         return i;
     }
+    const std::string stream = realSenseStream(bag_.topics()[images].name);
+    for (const std::size_t i : stream.empty() ? std::vector<std::size_t>() : ofType({kText})) {
+      if (bag_.topics()[i].name == stream + "/camera_info") return i;
+    }
     return std::nullopt;
   }
 
@@ -194,10 +199,11 @@ class Finder {
     return one(all, "calibrations, of which none stands beside " + bag_.topics()[color].name, "--info");
   }
 
-  /// Of /device_0/sensor_1/Color_0/image/data as RealSense's own recorder writes it: /device_0/sensor_1/Color_0/tf/0.
+  /// Of /device_0/sensor_1/Color_0/image/data as RealSense's own recorder writes it: /device_0/sensor_1/Color_0/tf/0,
+  /// in recordings of ROS 2 …/tf/ref_0.
   [[nodiscard]] std::optional<std::size_t> placeOf(std::size_t images) const {
     const std::string stream = realSenseStream(bag_.topics()[images].name);
-    for (const std::size_t i : stream.empty() ? std::vector<std::size_t>() : ofType({kTransform})) {
+    for (const std::size_t i : stream.empty() ? std::vector<std::size_t>() : ofType({kTransform, kText})) {
       if (bag_.topics()[i].name.compare(0, stream.size() + 4, stream + "/tf/") == 0) return i;
     }
     return std::nullopt;
@@ -207,7 +213,7 @@ class Finder {
   [[nodiscard]] std::optional<std::size_t> unitOf(std::size_t images) const {
     const std::string stream = realSenseStream(bag_.topics()[images].name);
     const std::string options = stream.substr(0, stream.find_last_of('/') + 1) + "option/Depth";
-    for (const std::size_t i : stream.empty() ? std::vector<std::size_t>() : ofType({kNumber})) {
+    for (const std::size_t i : stream.empty() ? std::vector<std::size_t>() : ofType({kNumber, kText})) {
       const std::string& name = bag_.topics()[i].name;
       if (name == options + " Units/value" || name == options + "_Units/value") return i;
     }
@@ -230,9 +236,10 @@ bool isRegisteredByName(const std::string& depthTopic) {
 
 std::string realSenseStream(const std::string& imageTopic) {
   constexpr std::string_view kEnd = "/image/data";
-  if (imageTopic.compare(0, 8, "/device_") != 0 || imageTopic.size() <= kEnd.size()) return {};
-  const std::size_t end = imageTopic.size() - kEnd.size();
-  return imageTopic.compare(end, kEnd.size(), kEnd) == 0 ? imageTopic.substr(0, end) : std::string();
+  const std::string topic = withoutTransport(imageTopic);
+  if (topic.compare(0, 8, "/device_") != 0 || topic.size() <= kEnd.size()) return {};
+  const std::size_t end = topic.size() - kEnd.size();
+  return topic.compare(end, kEnd.size(), kEnd) == 0 ? topic.substr(0, end) : std::string();
 }
 
 BagStreams findStreams(BagReader& bag, const BagTopics& wishes, bool needsInfo, const std::string& file,

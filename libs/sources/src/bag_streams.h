@@ -33,7 +33,7 @@ struct BagStreams {
                                      const std::string& file, const NoteSink& note);
 
 /// "/device_0/sensor_1/Color_0" of a topic of images of RealSense's own recorder (librealsense, RealSense Viewer),
-/// which writes bags of ROS 1 by rules of its own; empty: of another.
+/// which writes recordings by rules of its own; empty: of another.
 [[nodiscard]] std::string realSenseStream(const std::string& imageTopic);
 
 /// Whether the name of a depth topic says that its images are registered to the colour camera.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "real_sense_text.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/stamp_association.h"
 #include "wardslam/core/stamp_clock.h"
@@ -46,12 +47,14 @@ class Surveyor {
     const bags::Bytes message = bag_.read(entry);
     const bags::Wire wire = bag_.topics()[topic].wire;
     if (isUnit) {
-      const double unit_m = bags::readFloat32(message, wire);
+      const double unit_m = isText(topic) ? realSenseNumber(bags::readText(message, wire))
+                                          : static_cast<double>(bags::readFloat32(message, wire));
       if (unit_m > 0.0 && unit_m < 1.0) found_.depthUnit_m = unit_m;
       return;
     }
     if (isPlace) {
-      addPlace(topic, bags::readTransform(message, wire));
+      addPlace(topic,
+               isText(topic) ? realSensePlace(bags::readText(message, wire)) : bags::readTransform(message, wire));
       return;
     }
     if (isTransform) {
@@ -59,7 +62,8 @@ class Surveyor {
       return;
     }
     if (isInfo) {
-      lookAtInfo(topic, bags::readCameraInfo(message, wire));
+      lookAtInfo(topic,
+                 isText(topic) ? realSenseCamera(bags::readText(message, wire)) : bags::readCameraInfo(message, wire));
       return;
     }
     const bags::Header header = bags::readHeader(message, wire);
@@ -91,6 +95,8 @@ class Surveyor {
   }
 
  private:
+  [[nodiscard]] bool isText(std::size_t topic) const { return bag_.topics()[topic].type == "std_msgs/String"; }
+
   static bool isAmong(const std::vector<std::size_t>& topics, std::size_t topic) {
     return std::find(topics.begin(), topics.end(), topic) != topics.end();
   }
@@ -101,7 +107,9 @@ class Surveyor {
     images.push_back(stamped);
   }
 
-  /// RealSense tells how a point of the device is seen by the stream, one for all streams of a device.
+  /// RealSense tells how a point of the device is seen by the stream, one for all streams of a device: what
+  /// librealsense's recorder writes (ros_writer::write_extrinsics) leads from the stream of reference to that at hand
+  /// (device::get_extrinsics), and its player takes it so (playback_device::calc_extrinsic: to * inverse(from)).
   void addPlace(std::size_t topic, const Eigen::Isometry3d& T_stream_device) {
     const auto add = [&](std::size_t images) {
       const std::string stream = realSenseStream(bag_.topics()[images].name);

@@ -24,4 +24,5 @@ mcap "$data/float.mcap" zstd --float
 python3 "$here/rosbag2_sqlite.py" "$work/messages.json" "$data/sqlite" --split 9
 python3 "$here/rosbag2_zstd.py" "$data/sqlite" "$data/sqlite_zstd"
 python3 "$here/realsense_bag.py" "$work/scene" "$data/realsense.bag"
+python3 "$here/realsense_db3.py" "$work/scene" "$data/realsense.db3"
 ls -l "$data" "$data/sqlite"

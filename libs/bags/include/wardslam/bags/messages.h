@@ -84,6 +84,7 @@ struct Imu {
 [[nodiscard]] std::vector<Transform> readTransforms(ByteView message, Wire wire);  ///< tf2_msgs/TFMessage, tf/tfMessage
 [[nodiscard]] Eigen::Isometry3d readTransform(ByteView message, Wire wire);        ///< geometry_msgs/Transform
 [[nodiscard]] float readFloat32(ByteView message, Wire wire);                      ///< std_msgs/Float32
+[[nodiscard]] std::string readText(ByteView message, Wire wire);                   ///< std_msgs/String
 [[nodiscard]] Odometry readOdometry(ByteView message, Wire wire);
 [[nodiscard]] Imu readImu(ByteView message, Wire wire);
 
