@@ -1,5 +1,6 @@
 #include "wardslam/segmentation/yolo_decoder.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -9,6 +10,9 @@
 namespace wardslam::segmentation {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 using Version = YoloLayout::Version;
 
 constexpr int kAnchors = 20;
@@ -254,14 +258,14 @@ TEST(YoloLayout, TellsTheVersionsApart) {
 constexpr int kRowValues = 6 + kPrototypes;
 
 /// One row of a network that suppresses itself: corners, confidence, class, coefficients.
-core::Segmentation decodeRow(const std::vector<float>& values) {
+core::Segmentation decodeRow(const std::vector<float>& values,
+                             const LabelMap& labels = LabelMap::consecutive(core::LabelSpace::coco())) {
   cv::Mat rows({1, 30, kRowValues}, CV_32F, cv::Scalar(0));
   std::copy(values.begin(), values.end(), rows.ptr<float>(0, 3));
   cv::Mat prototypes({1, kPrototypes, 16, 16}, CV_32F, cv::Scalar(1.0));
   const auto layout = YoloLayout::fromShapes({1, 30, kRowValues}, {1, kPrototypes, 16, 16}, {64, 64});
   EXPECT_TRUE(layout && layout->version == Version::EndToEnd);
-  return decodeYolo(rows, prototypes, *layout, Letterbox({64, 64}, {64, 64}),
-                    LabelMap::consecutive(core::LabelSpace::coco()), {});
+  return decodeYolo(rows, prototypes, *layout, Letterbox({64, 64}, {64, 64}), labels, {});
 }
 
 TEST(YoloEndToEnd, RowsAreCornersConfidenceAndClass) {
@@ -277,6 +281,16 @@ TEST(YoloEndToEnd, RefusesWhatIsNoConfidenceOrNoClass) {
   EXPECT_THROW((void)decodeRow({10, 20, 40, 44, 0.8F, 0.5F, kEverywhere, 0}), YoloLayoutError);
 }
 
+TEST(YoloEndToEnd, RefusesAClassThatIsNotNamed) {
+  const LabelMap one = LabelMap::fromNames({"person"}, "net");
+  EXPECT_EQ(decodeRow({10, 20, 40, 44, 0.8F, 0, kEverywhere, 0}, one).instances.size(), 1U);
+  EXPECT_THAT(
+      [&] {
+        (void)decodeRow({10, 20, 40, 44, 0.8F, 56, kEverywhere, 0}, one);
+      },
+      ThrowsMessage<YoloLayoutError>(AllOf(HasSubstr("class number 56"), HasSubstr("named; give the label file"))));
+}
+
 TEST(YoloLayout, TellsRowsOfSuppressedDetectionsFromAnchors) {
   const auto rows = YoloLayout::fromShapes({1, 300, 38}, {1, 32, 64, 80}, {320, 256});
   ASSERT_TRUE(rows);
@@ -288,6 +302,16 @@ TEST(YoloLayout, TellsRowsOfSuppressedDetectionsFromAnchors) {
   EXPECT_EQ(v5->classes, 1);
   // One anchor a cell: v8 turned round with two classes, or v5 without its three; no rows of suppressed detections.
   EXPECT_FALSE(YoloLayout::fromShapes({1, 1680, 38}, {1, 32, 64, 80}, {320, 256}));
+}
+
+TEST(YoloLayout, TellsVersion5WithOneAnchorACellByTheNamesOfItsClasses) {
+  const auto v5 = YoloLayout::fromShapes({1, 1680, 38}, {1, 32, 64, 80}, {320, 256}, 1);
+  ASSERT_TRUE(v5);
+  EXPECT_EQ(v5->version, Version::V5);
+  EXPECT_EQ(v5->classes, 1);
+  EXPECT_EQ(v5->anchors, 1680);
+  EXPECT_FALSE(YoloLayout::fromShapes({1, 1680, 38}, {1, 32, 64, 80}, {320, 256}, 2));  // v8 turned round
+  EXPECT_EQ(YoloLayout::fromShapes({1, 5040, 38}, {1, 32, 64, 80}, {320, 256}, 1)->classes, 1);
 }
 
 TEST(YoloLayout, RefusesAnchorsThatNoStrideExplains) {

@@ -203,8 +203,9 @@ TEST_F(MadeYoloTest, PassesOverAThirdOutputAndTakesAnyOrder) {
 TEST_F(MadeYoloTest, RefusesAConfidenceAboveOne) {
   made_.names = "{0: 'person', 1: 'wheelchair'}";
   made_.confidence = 56.0F;
-  EXPECT_THAT([&] { (void)segment(); }, ThrowsMessage<core::InputError>(AllOf(HasSubstr("made.onnx: puts out"),
-                                                                              HasSubstr("56"), HasSubstr("above 1"))));
+  EXPECT_THAT([&] { (void)segment(); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("made.onnx: puts out"), HasSubstr("56"),
+                                                    HasSubstr("above 1"), HasSubstr("another layout"))));
 }
 
 /// Intersection over union of what is called a person and what is one, per image with a large person.

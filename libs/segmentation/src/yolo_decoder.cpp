@@ -12,8 +12,10 @@ namespace {
 
 constexpr int kBoxValues = 4;
 constexpr int kEndToEndValues = 6;  // box, confidence, class
+constexpr int kAnchorsPerCell = 3;  // of v5
 constexpr float kLargestClass = 65535.0F;
 constexpr float kHighest = 1.001F;  // of a confidence, with what rounding adds
+constexpr const char* kOtherLayout = "; it has another layout than those of YOLO-seg networks";
 
 struct Detection {
   cv::Rect2d box_px;  // in the input
@@ -24,7 +26,8 @@ struct Detection {
 
 void requireConfidence(float confidence) {
   if (std::isfinite(confidence) && confidence > kHighest) {
-    throw YoloLayoutError("puts out a confidence of " + std::to_string(confidence) + ", which is above 1");
+    throw YoloLayoutError("puts out a confidence of " + std::to_string(confidence) + ", which is above 1" +
+                          kOtherLayout);
   }
 }
 
@@ -36,6 +39,17 @@ bool isExplainedByStrides(int anchors, const cv::Size& input_px, int perCell) {
     for (const int stride : strides) cells += (input_px.width / stride) * (input_px.height / stride);
     return anchors == perCell * cells;
   });
+}
+
+/// V5 with one anchor a cell looks as V8 turned round does, with one class less: then names must tell how many there
+/// are.
+bool isSound(const YoloLayout& layout, const cv::Size& input_px, std::optional<std::size_t> named) {
+  if (layout.classes < 1) return false;
+  if (input_px.empty()) return true;
+  const bool hasOnePerCell = isExplainedByStrides(layout.anchors, input_px, 1);
+  if (layout.version == YoloLayout::Version::V8) return hasOnePerCell;
+  const bool isNamed = named && static_cast<int>(*named) == layout.classes;
+  return isExplainedByStrides(layout.anchors, input_px, kAnchorsPerCell) || (hasOnePerCell && isNamed);
 }
 
 std::optional<Detection> readAnchor(const float* values, const YoloLayout& layout, const LabelMap& labels,
@@ -67,7 +81,13 @@ std::optional<Detection> readRow(const float* values, const YoloLayout& layout, 
   requireConfidence(confidence);
   const float number = values[kBoxValues + 1];
   if (!(number >= 0.0F && number == std::floor(number))) {
-    throw YoloLayoutError("puts out " + std::to_string(number) + " where the number of a class should be");
+    throw YoloLayoutError("puts out " + std::to_string(number) + " where the number of a class should be" +
+                          kOtherLayout);
+  }
+  if (const auto listed = labels.listed(); listed && number >= static_cast<float>(*listed)) {
+    throw YoloLayoutError("puts out class number " + std::to_string(static_cast<int>(std::min(number, kLargestClass))) +
+                          ", counted from 0, but " + std::to_string(*listed) +
+                          " classes are named; give the label file of this network: --classes FILE");
   }
   const core::ClassId classId = labels.classOf(static_cast<int>(std::min(number, kLargestClass)));
   const bool isBoxFinite = std::all_of(values, values + kBoxValues, [](float value) { return std::isfinite(value); });
@@ -176,9 +196,8 @@ class MaskAssembler {
 }  // namespace
 
 std::optional<YoloLayout> YoloLayout::fromShapes(const std::vector<int>& detections, const std::vector<int>& prototypes,
-                                                 const cv::Size& input_px) {
+                                                 const cv::Size& input_px, std::optional<std::size_t> named) {
   if (detections.size() != 3 || detections[0] != 1 || prototypes.size() != 4 || prototypes[0] != 1) return std::nullopt;
-  constexpr int kAnchorsPerCell = 3;  // of v5
   if (*std::min_element(prototypes.begin(), prototypes.end()) < 1) return std::nullopt;
   YoloLayout layout;
   const bool hasEndToEndValues = detections[2] == kEndToEndValues + prototypes[1];
@@ -195,10 +214,7 @@ std::optional<YoloLayout> YoloLayout::fromShapes(const std::vector<int>& detecti
   layout.prototypes = prototypes[1];
   const int objectness = layout.version == Version::V5 ? 1 : 0;
   layout.classes = std::min(detections[1], detections[2]) - kBoxValues - objectness - layout.prototypes;
-  const int perCell = layout.version == Version::V5 ? kAnchorsPerCell : 1;
-  const bool fits =
-      layout.classes >= 1 && (input_px.empty() || isExplainedByStrides(layout.anchors, input_px, perCell));
-  return fits ? std::optional(layout) : std::nullopt;
+  return isSound(layout, input_px, named) ? std::optional(layout) : std::nullopt;
 }
 
 core::Segmentation decodeYolo(const cv::Mat& detections, const cv::Mat& prototypes, const YoloLayout& layout,

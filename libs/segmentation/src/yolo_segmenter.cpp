@@ -29,6 +29,12 @@ cv::Mat blobOf(const cv::Mat& input_bgr) {
   return cv::dnn::blobFromImage(input_bgr, 1.0 / 255.0, {}, {}, kSwapToRgb);
 }
 
+/// How many classes are named, where that is told.
+std::optional<std::size_t> namedClasses(const fs::path& classesFile, const std::vector<std::string>& names) {
+  if (!classesFile.empty()) return LabelMap::fromFile(classesFile).listed();
+  return names.empty() ? std::nullopt : std::optional(names.size());
+}
+
 LabelMap labelsFor(const YoloLayout& layout, const fs::path& classesFile, const std::string& model,
                    const std::vector<std::string>& names) {
   if (layout.version != YoloLayout::Version::EndToEnd) {
@@ -56,16 +62,17 @@ YoloSegmenter::YoloSegmenter(const YoloOptions& options, OpenedNetwork opened, c
                            "dynamic=False)");
   }
   // By running it: the shapes a file declares are optional, those that come out count.
-  chooseOutputs(tryNetwork(*network_, blobOf(cv::Mat(input_px_, CV_8UC3, cv::Scalar::all(0))), source));
+  chooseOutputs(tryNetwork(*network_, blobOf(cv::Mat(input_px_, CV_8UC3, cv::Scalar::all(0))), source),
+                namedClasses(classesFile, opened.classNames));
   labels_ = labelsFor(layout_, classesFile, model_, opened.classNames);
 }
 
 /// There may be more than the two that count.
-void YoloSegmenter::chooseOutputs(const std::vector<cv::Mat>& outputs) {
+void YoloSegmenter::chooseOutputs(const std::vector<cv::Mat>& outputs, std::optional<std::size_t> named) {
   std::size_t found = 0;
   for (std::size_t d = 0; d < outputs.size(); ++d) {
     for (std::size_t p = 0; p < outputs.size(); ++p) {
-      const auto layout = YoloLayout::fromShapes(shapeOf(outputs[d]), shapeOf(outputs[p]), input_px_);
+      const auto layout = YoloLayout::fromShapes(shapeOf(outputs[d]), shapeOf(outputs[p]), input_px_, named);
       if (!layout) continue;
       ++found;
       layout_ = *layout;
@@ -88,7 +95,7 @@ Segmenter::Result YoloSegmenter::segment(const SegmenterInput& input) {
     const cv::Mat& prototypes = outputs.at(prototypesIndex_);
     return {decodeYolo(detections, prototypes, layout_, letterbox, labels_, options_), {}};
   } catch (const YoloLayoutError& error) {
-    throw core::InputError(model_ + ": " + error.what() + "; it has another layout than those of YOLO-seg networks");
+    throw core::InputError(model_ + ": " + error.what());
   } catch (const NetworkError&) {
   } catch (const cv::Exception&) {  // an image that is none
   }

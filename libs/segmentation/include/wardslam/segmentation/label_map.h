@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ class LabelMap {
   [[nodiscard]] core::ClassId classOf(int index) const {
     const auto i = static_cast<std::size_t>(index);  // negative ones become large
     return i < ids_.size() ? ids_[i] : core::ClassId{0};
+  }
+  /// How many classes there are, where that is told (by a list, or the names that a network brings).
+  [[nodiscard]] std::optional<std::size_t> listed() const {
+    return extent_ == Extent::Exactly ? std::optional(ids_.size()) : std::nullopt;
   }
   [[nodiscard]] const core::LabelSpace& labels() const { return labels_; }
 

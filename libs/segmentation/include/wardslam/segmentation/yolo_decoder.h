@@ -37,13 +37,16 @@ struct YoloLayout {
   /// From the shapes of the two outputs; the prototypes are [1, count, height, width]. Empty when they are not those
   /// of a segmentation network. There are always more anchors than values per anchor, which tells V5 and V8 apart.
   /// Where the size of the input is known, the number of anchors must be one that strides explain (8, 16, 32, and 4 or
-  /// 64 besides), or it is none: rows of a fixed number.
+  /// 64 besides), or it is none: rows of a fixed number. V5 has three anchors in a cell; with one it is told from V8
+  /// turned round by how many classes are `named`.
   [[nodiscard]] static std::optional<YoloLayout> fromShapes(const std::vector<int>& detections,
                                                             const std::vector<int>& prototypes,
-                                                            const cv::Size& input_px = {});
+                                                            const cv::Size& input_px = {},
+                                                            std::optional<std::size_t> named = {});
 };
 
-/// What comes out cannot be of the layout that its shape has; says why in part of a sentence.
+/// What comes out cannot be of the layout that its shape has, or of the classes that are named; says why, and what to
+/// do, in part of a sentence.
 class YoloLayoutError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -53,7 +56,7 @@ class YoloLayoutError : public std::runtime_error {
 /// non-maximum suppression per class, masks = sigmoid(coefficients x prototypes) inside each box, resampled linearly
 /// before the threshold. Instances are numbered from 1 by falling confidence; where they overlap the more confident one
 /// has the pixel, and one left without any is dropped, as is one of a class the labels leave unclassified. Throws
-/// YoloLayoutError for a confidence above 1 and for what is no number of a class.
+/// YoloLayoutError for a confidence above 1 and for what is no number of a class, or of none that is named.
 [[nodiscard]] core::Segmentation decodeYolo(const cv::Mat& detections, const cv::Mat& prototypes,
                                             const YoloLayout& layout, const Letterbox& letterbox,
                                             const LabelMap& labels, const YoloDecoderOptions& options);

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "wardslam/segmentation/label_map.h"
 #include "wardslam/segmentation/network.h"
@@ -42,7 +44,7 @@ class YoloSegmenter : public Segmenter {
   [[nodiscard]] const cv::Size& inputSize_px() const { return input_px_; }
 
  private:
-  void chooseOutputs(const std::vector<cv::Mat>& outputs);
+  void chooseOutputs(const std::vector<cv::Mat>& outputs, std::optional<std::size_t> named);
 
   YoloDecoderOptions options_;
   std::unique_ptr<Network> network_;
