@@ -159,11 +159,31 @@ TEST_F(RgbdCameraFile, ReadsThatOfOpenCv) {
                   1000.0);
 }
 
+// As cv::FileStorage of today puts it, lines broken in the middle of a matrix.
+TEST_F(RgbdCameraFile, ReadsThatOfOpenCvWithBlanks) {
+  const auto camera = read(
+      "%YAML:1.0\n---\ncalibration_time: \"Sat 28 Nov 2026 12:00:00\"\nimage_width: 640\nimage_height: 480\nflags: 0\n"
+      "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 525., 0., 3.1950000000000000e+02, "
+      "0.,\n"
+      "       526., 2.3950000000000000e+02, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 5\n"
+      "   cols: 1\n   dt: d\n   data: [ 1.2500000000000000e-01, 0., 0., 0., -0.5 ]\nDepthMapFactor: 1000.\n");
+  expectTheCamera(camera, 1000.0);
+  EXPECT_EQ(camera.color.k1, 0.125);
+  EXPECT_EQ(camera.color.k3, -0.5);
+}
+
+TEST_F(RgbdCameraFile, SaysWhatToWriteInPlaceOfXml) {
+  EXPECT_THAT([&] { return read("<?xml version=\"1.0\"?>\n<opencv_storage></opencv_storage>\n"); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("camera.yaml: is XML"), HasSubstr("'fx: "))));
+}
+
 TEST_F(RgbdCameraFile, ReadsThatOfKalibr) {
   const std::string camera =
       "cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.1, 0.0, 0.0, 0.0]\n  distortion_model: radtan\n"
       "  intrinsics: [525.0, 526.0, 319.5, 239.5]\n  resolution: [640, 480]\n";
   expectTheCamera(read(camera), 0.0);
+  expectTheCamera(read(camera + "  depth_factor: 1000\n"), 1000.0);
+  expectTheCamera(read(camera + "depth_factor: 1000\n"), 1000.0);
   std::string fisheye = camera;
   fisheye.replace(fisheye.find("radtan"), 6, "equidistant");
   EXPECT_THAT([&] { return read(fisheye); }, ThrowsMessage<core::InputError>(HasSubstr("'equidistant'")));

@@ -37,6 +37,8 @@ TEST_F(SensorCalibration, IsOfNoUseWithoutDepth) {
               ThrowsMessage<core::InputError>(AllOf(HasSubstr("[CAM]"), HasSubstr("grab_depth = false"))));
   EXPECT_THAT([&] { check("[W]\ndriver = CCameraSensor\nprocess_rate = 90\ngrabber_type = opencv\n"); },
               ThrowsMessage<core::InputError>(AllOf(HasSubstr("[W]"), HasSubstr("without depth"))));
+  EXPECT_THAT([&] { check("[R]\ndriver = COpenNI2_RGBD360\nprocess_rate = 1\n"); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("[R]"), HasSubstr("take one of them"))));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sources/tum_folder_writer.h"
+#include "support/complaint.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 
@@ -202,6 +203,35 @@ TEST(TumFolderSource, ReadsFloatingPointDepthAsMetres) {
   ASSERT_TRUE(scan);
   EXPECT_NEAR(scan->rangeImage(5, 5) * static_cast<double>(scan->rangeUnits), 1.5, 1e-6);
   for (int x = 0; x < 4; ++x) EXPECT_EQ(scan->rangeImage(0, x), 0) << x;
+}
+
+/// What is said of a floating-point depth image of one value, the first of those that all fail alike.
+std::string complaintOfFloatDepth(const cv::Mat& depth, const SourceOptions& options) {
+  const TumFolder folder(static_cast<int>(TumFolderSource::kPatience));
+  std::string list;
+  for (int i = 0; i < static_cast<int>(TumFolderSource::kPatience); ++i) {
+    const std::string file = "depth/" + std::to_string(i) + ".tiff";
+    folder.writeImage(file, depth);
+    list += TumFolder::stamp(TumFolder::depthStamp_s(i)) + " " + file + "\n";
+  }
+  folder.write("depth.txt", list);
+  folder.write("camera.yaml", "width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 15.5\ncy: 11.5\n");
+  TumFolderSource source(folder.path(), options);
+  return test::complaintOf([&] { return source.next(); });
+}
+
+TEST(TumFolderSource, SaysWhereFloatingPointDepthIsNotInMetres) {
+  cv::Mat depth(24, 32, CV_32FC1, cv::Scalar(1500.0));
+  depth.rowRange(0, 20).setTo(std::numeric_limits<float>::infinity());
+  EXPECT_THAT(complaintOfFloatDepth(depth, {}), AllOf(HasSubstr("above 32"), HasSubstr("divide them by 1000")));
+  SourceOptions options;
+  options.depth_units_per_m = 1000.0;
+  EXPECT_THAT(complaintOfFloatDepth(cv::Mat(24, 32, CV_32FC1, cv::Scalar(1.5)), options), HasSubstr("leave that out"));
+}
+
+TEST(TumFolderSource, AsksForTheUnitOfWholeNumbersInTiff) {
+  EXPECT_THAT(complaintOfFloatDepth(cv::Mat(24, 32, CV_16UC1, cv::Scalar(1500)), {}),
+              AllOf(HasSubstr("holds whole numbers"), HasSubstr("--depth-factor 1000")));
 }
 
 // OpenCV was told to read EXR before the first such image was met.

@@ -62,7 +62,8 @@ cv::Mat decode(const std::filesystem::path& file, int flags) {
     image.release();  // reported below
   }
   if (image.empty()) {
-    throw InputDamage("sources.image_unreadable", file.string() + " cannot be decoded as an image");
+    throw InputDamage("sources.image_unreadable",
+                      file.string() + " cannot be decoded as an image (PNG, JPEG, TIFF, BMP, WebP, EXR and PFM can)");
   }
   return image;
 }

@@ -45,6 +45,11 @@ std::string standardYaml(const fs::path& file) {
 ConfigNode parse(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   const int first = in.peek();
+  if (in && first == '<') {
+    throw core::InputError(file.string() +
+                           ": is XML, of which no camera is read; write its numbers into a file of lines 'width: 640', "
+                           "'height: 480', 'fx: …', 'fy: …', 'cx: …', 'cy: …', or have OpenCV write YAML");
+  }
   const bool isOpenCv = in && first == '%';
   const bool isMarked = in && (first == 0xEF || first >= 0xFE);  // a byte order mark
   if (!isOpenCv && !isMarked) return ConfigNode::fromFile(file);

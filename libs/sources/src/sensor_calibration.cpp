@@ -44,6 +44,11 @@ void requireDepth(const CConfigFile& ini, const SensorConfiguration& sensor) {
                            " takes colour images without depth; use the camera's own driver (COpenNI2Sensor for " +
                            "RGB-D cameras that OpenNI2 knows)");
   }
+  if (sensor.driver == "COpenNI2_RGBD360") {
+    throw core::InputError(sensor.place +
+                           ": COpenNI2_RGBD360 gives the images of several cameras as one observation, " +
+                           "which is not used; take one of them with COpenNI2Sensor");
+  }
   for (const char* key : {"grab_depth", "grab_image"}) {
     if (ini.read_bool(sensor.section, key, true)) continue;
     throw core::InputError(sensor.place + ": " + key +

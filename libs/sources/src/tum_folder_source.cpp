@@ -43,6 +43,23 @@ void allowOpenExr(const std::vector<ImagePair>& pairs) {
   if (pairs.front().depth.file.extension() == ".exr") setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 0);
 }
 
+/// A floating-point image tells metres, whatever is said of the unit of whole numbers.
+void requireMetres(const cv::Mat& depth, const fs::path& file, bool isFactorGiven) {
+  if (isFactorGiven) {
+    throw InputDamage("sources.depth_format",
+                      file.string() + " is of floating-point numbers, which are taken in metres and not in " +
+                          "units of --depth-factor; leave that out, or save 16-bit images");
+  }
+  constexpr double kNothing_m = 1e30;  // what writers put where nothing was measured
+  constexpr double kFarthest_m = kLargestUnit / kUnitsOfFloatDepth_per_m;
+  const int measured = cv::countNonZero((depth > 0.0) & (depth < kNothing_m));
+  if (2 * cv::countNonZero((depth > kFarthest_m) & (depth < kNothing_m)) <= measured) return;
+  throw InputDamage("sources.depth_format",
+                    file.string() +
+                        " is of floating-point numbers, which are taken in metres, and most are above 32; " +
+                        "where they are millimetres, divide them by 1000, or save 16-bit images of millimetres");
+}
+
 /// 16 bits of what was measured, 0 where nothing was; never wraps.
 cv::Mat inUnits(const cv::Mat& depth, double unitsPerMetre) {
   cv::Mat units;
@@ -71,6 +88,7 @@ TumFolderSource::TumFolderSource(const fs::path& folder, const SourceOptions& op
     : folder_(folder),
       note_(options.note),
       camera_(cameraOf(folder, options)),
+      isFactorGiven_(options.depth_units_per_m.has_value()),
       pairs_(listImagePairs(folder, {camera_.camera.rate_hz, options.note})),
       damage_(std::make_unique<DamageLog>(options.warn)) {
   allowOpenExr(pairs_);
@@ -143,10 +161,12 @@ std::shared_ptr<CObservation3DRangeScan> TumFolderSource::read(const ImagePair& 
   const cv::Mat depth = readDepthImage(folder_ / pair.depth.file);
   requireSizes(color, depth, camera_, pair);
   const RgbdCamera& camera = camera_.camera;
+  if (depth.type() == CV_32FC1) requireMetres(depth, pair.depth.file, isFactorGiven_);
   const double unitsPerMetre = depth.type() == CV_32FC1 ? kUnitsOfFloatDepth_per_m : camera.depth_units_per_m;
   if (!(unitsPerMetre > 0.0)) {
     throw InputDamage("sources.depth_format",
-                      pair.depth.file.string() + " is no floating-point image as its name says");
+                      pair.depth.file.string() + " holds whole numbers, and nothing says how many are a metre; give " +
+                          "--depth-factor 1000 for millimetres, 5000 for the TUM benchmark's unit");
   }
 
   auto observation = CObservation3DRangeScan::Create();

@@ -42,6 +42,7 @@ class TumFolderSource : public ObservationSource {
   std::filesystem::path folder_;
   NoteSink note_;
   FolderCamera camera_;
+  bool isFactorGiven_;  ///< By who asks, not by the camera file.
   std::vector<ImagePair> pairs_;
   std::size_t nextPair_ = 0;
   std::string failingAlike_;  ///< Event of the first pair, while no pair could be used and all fail for that reason.

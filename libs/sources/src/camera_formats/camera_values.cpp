@@ -88,7 +88,7 @@ double depthFactorIn(const ConfigNode& root) {
                                                             "depthmap_factor",  "depth_scale",    "png_depth_scale",
                                                             "depth_map_factor", "depthScale"};
   ConfigNode value = firstChild(root, kNames);
-  for (const char* section : {"Preprocessing", "Camera", "Mapping", "Tracking", "cam"}) {
+  for (const char* section : {"Preprocessing", "Camera", "Mapping", "Tracking", "cam", "cam0"}) {
     const ConfigNode inner = root.child(section);
     if (!value.exists() && inner.exists() && inner.yaml().IsMap()) value = firstChild(inner, kNames);
   }
