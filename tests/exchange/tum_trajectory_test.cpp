@@ -14,6 +14,7 @@ namespace {
 
 using core::InputError;
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -67,6 +68,25 @@ TEST_F(ReadTumTrajectory, NormalisesQuaternions) {
   const auto trajectory = read("1 0 0 0 0 0 3 3\n");
   const Eigen::Matrix3d quarterTurn = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).matrix();
   EXPECT_TRUE(trajectory.at(0).T_map_cam.linear().isApprox(quarterTurn, 1e-12));
+}
+
+TEST_F(ReadTumTrajectory, SaysOnceWhereOrientationsAreOdd) {
+  static_cast<void>(read("1 0 0 0 0 0 0.70710678 0.7071\n"));
+  EXPECT_TRUE(notes.empty());
+  static_cast<void>(read("1 0 0 0 0 0 0 1\n2 0 0 0 0.1 0.2 1.5 0\n3 0 0 0 0.1 0.2 1.5 0\n"));
+  EXPECT_THAT(notes, ElementsAre(AllOf(HasSubstr("trajectory.txt:2: "), HasSubstr("angles are not read"))));
+  notes.clear();
+  static_cast<void>(read("2 0 0 0 0 1 0 0 0 0 1 0\n"));
+  EXPECT_THAT(notes, Contains(AllOf(HasSubstr("trajectory.txt:1: "), HasSubstr("no rotation"))));
+}
+
+TEST_F(ReadTumTrajectory, SaysWhichOrderIsTakenOfTablesWithoutHeadings) {
+  static_cast<void>(read("1,0,0,0,0,0,0,1\n"));
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("order x y z w")));
+  notes.clear();
+  static_cast<void>(read("timestamp,tx,ty,tz,qx,qy,qz,qw\n1,0,0,0,0,0,0,1\n"));
+  static_cast<void>(read("1,0 0,5 0,5 0,5 0,0 0,0 0,0 1,0\n"));
+  EXPECT_TRUE(notes.empty());
 }
 
 TEST_F(ReadTumTrajectory, SortsByTimeAndTheLaterOfTwoLinesCounts) {

@@ -100,8 +100,33 @@ PoseTable readTable(const fs::path& file) {
   return table;
 }
 
+/// Angles, or another column, may stand where an orientation should.
+bool isOrientation(const std::vector<double>& row, const TrajectoryColumns& columns) {
+  constexpr double kTolerated = 0.05;
+  if (columns.isMatrix) {
+    const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> matrix(row.data());
+    const Eigen::Matrix3d R = matrix.leftCols<3>();
+    return R.determinant() > 0.0 && (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerated;
+  }
+  double squares = 0.0;
+  for (const std::size_t column : columns.orientation) squares += row[column] * row[column];
+  return std::abs(std::sqrt(squares) - 1.0) < kTolerated;
+}
+
+std::string oddOrientation(const fs::path& file, const TextLine& line, const TrajectoryColumns& columns) {
+  return file.string() + ":" + std::to_string(line.number) +
+         (columns.isMatrix
+              ? ": has a matrix that is no rotation, and the nearest is taken"
+              : ": has a quaternion whose length is not 1, and its direction is taken; angles are not read");
+}
+
 void tellOfColumns(const PoseTable& table, const fs::path& file, const TrajectoryReading& reading) {
   const TrajectoryColumns standard;
+  const bool isCsv = !table.lines.empty() && table.lines.front().text.find(',') != std::string::npos &&
+                     table.lines.front().text.find_first_of(" \t") == std::string::npos;
+  if (isCsv && !table.hasHeadings) {
+    reading.note(file.string() + ": has no headings, so quaternions are taken in the order x y z w (EuRoC's w x y z)");
+  }
   if (table.lines.empty() || (table.columns.count == standard.count &&
                               table.columns.orientation == standard.orientation && table.columns.stamp == 0U)) {
     return;
@@ -167,6 +192,7 @@ core::Trajectory readTumTrajectory(const fs::path& file, const TrajectoryReading
   const core::StampClock clock = clockFor(unitOf(stampsOf(table)), file, reading);
   std::map<double, Eigen::Isometry3d> poses;
   std::size_t number = 0;
+  bool isOdd = false;
   for (const TextLine& line : table.lines) {
     const auto fields = fieldsIn(line.text);
     const auto row = parseNumbers(fields);
@@ -176,6 +202,10 @@ core::Trajectory readTumTrajectory(const fs::path& file, const TrajectoryReading
     const auto T_map_cam = stamp_s ? poseOf(*row, table.columns) : std::nullopt;
     if (T_map_cam && !(T_map_cam->translation().cwiseAbs().maxCoeff() <= kFarthest_m)) {
       fail(file, line, "a position in metres on this earth");
+    }
+    if (T_map_cam && !isOdd && !isOrientation(*row, table.columns)) {
+      isOdd = true;
+      reading.note(oddOrientation(file, line, table.columns));
     }
     if (T_map_cam) poses.insert_or_assign(*stamp_s, *T_map_cam);
   }
