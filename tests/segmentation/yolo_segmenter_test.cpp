@@ -52,6 +52,14 @@ TEST_F(YoloSegmenterTest, RefusesWhatIsNotOnnx) {
   expectRefused(folder_.write("noise.onnx", std::string(4096, '\xa5')), "not a complete ONNX file");
 }
 
+TEST_F(YoloSegmenterTest, SaysHowToExportNetworksOfOtherLibraries) {
+  const std::string rest(500, '\0');
+  expectRefused(folder_.write("a.pt", "PK\x03\x04" + rest), "PyTorch", "yolo export model=a.pt format=onnx");
+  expectRefused(folder_.write("a.tflite", std::string("\x1C\0\0\0TFL3", 8) + rest), "TensorFlow Lite", "as ONNX");
+  expectRefused(folder_.write("a.engine", "ftrt" + rest), "TensorRT", "as ONNX");
+  expectRefused(folder_.write("a.xml", "<?xml version=\"1.0\"?><net/>"), "OpenVINO", "as ONNX");
+}
+
 TEST_F(YoloSegmenterTest, RefusesATruncatedNetwork) {
   const fs::path whole = kShared / "models" / "yolov5n-seg_320x256.onnx";
   if (!fs::exists(whole)) GTEST_SKIP() << whole << " is absent";

@@ -29,6 +29,10 @@ TEST_F(ForeignInput, IsNamedByItsFirstBytes) {
   expectRefused("a", "PK\x03\x04", "zip", "unpack");
   expectRefused("a", "BZh91AY", "bzip2", "unpack");
   expectRefused("a.klg", "\x02", "Logger2", "export");
+  expectRefused("a.sens", "\x04", "ScanNet", "export");
+  expectRefused("a", "NI10", "OpenNI", "export");
+  expectRefused("a.mp4", std::string("\0\0\0\x20", 4) + "ftypisom", "a video", "export");
+  expectRefused("a", "# .PCD v0.7", "point cloud", "TUM");
 }
 
 TEST_F(ForeignInput, IsATarArchiveCompressedOrNot) {
@@ -42,7 +46,18 @@ TEST_F(ForeignInput, IsATarArchiveCompressedOrNot) {
   EXPECT_THAT([&] { refuseForeignInput(file); }, ThrowsMessage<core::InputError>(HasSubstr("tar archive")));
 }
 
+// Plain ones are no foreign input.
+TEST_F(ForeignInput, IsABagThatIsPackedAsAWhole) {
+  const auto file = folder.path() / "ward.bag.gz";
+  gzFile gz = gzopen(file.c_str(), "wb");
+  gzwrite(gz, "#ROSBAG V2.0\n", 13);
+  gzclose(gz);
+  EXPECT_THAT([&] { refuseForeignInput(file); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("bag of ROS 1"), HasSubstr("gunzip"))));
+}
+
 TEST_F(ForeignInput, IsNotWhatCouldBeARawlog) {
+  EXPECT_NO_THROW(refuseForeignInput(folder.write("short", "ab")));
   EXPECT_NO_THROW(refuseForeignInput(folder.write("a.rawlog", "")));
   EXPECT_NO_THROW(refuseForeignInput(folder.write("b.rawlog", "\x95mrpt::obs::CObservation")));
 }

@@ -216,6 +216,11 @@ TEST_F(RgbdCameraFile, ReadsNumbersAlone) {
   }
 }
 
+TEST_F(RgbdCameraFile, SaysHowToWriteNumbersThatAreNoCamera) {
+  EXPECT_THAT([&] { return read("525 526 319.5 239.5 0.1 -0.2 0 0 0\n"); },
+              ThrowsMessage<core::InputError>(AllOf(HasSubstr("9 numbers alone"), HasSubstr("'fx: "))));
+}
+
 TEST_F(RgbdCameraFile, SaysAsWhatAForeignFileIsRead) {
   EXPECT_THAT(notesOf("%YAML:1.0\nCamera.fx: 525.0\nCamera.fy: 526.0\nCamera.cx: 319.5\nCamera.cy: 239.5\n"
                       "Camera.width: 640\nCamera.height: 480\nDepthMapFactor: 5000.0\n"),

@@ -45,6 +45,19 @@ cv::Size onnxInputSize(const NetworkSource& source, std::string_view bytes) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
+/// Networks in the files of other libraries, by their first bytes.
+void refuseOtherFormats(const NetworkSource& source, std::string_view bytes) {
+  const std::string exported =
+      "; export it as ONNX (with Ultralytics: yolo export model=" + source.model.filename().string() +
+      " format=onnx opset=12)";
+  const auto startsWith = [&](std::string_view mark) { return bytes.substr(0, mark.size()) == mark; };
+  if (startsWith("PK\x03\x04")) fail(source.model, "is an archive, as PyTorch writes networks" + exported);
+  if (bytes.size() > 8 && bytes.substr(4, 4) == "TFL3")
+    fail(source.model, "is a network of TensorFlow Lite" + exported);
+  if (startsWith("ftrt")) fail(source.model, "is an engine of TensorRT" + exported);
+  if (startsWith("<?xml")) fail(source.model, "is XML, as OpenVINO writes networks" + exported);
+}
+
 /// What no library could run, said in other words than a library's.
 void refuseUnfitOnnx(const NetworkSource& source, std::string_view bytes) {
   if (takesHalfFloats(bytes)) fail(source.model, "takes 16-bit floating-point numbers; export it with half=False");
@@ -56,6 +69,7 @@ void refuseUnfitOnnx(const NetworkSource& source, std::string_view bytes) {
 
 OpenedNetwork openOnnx(NetworkSource source) {
   const std::string bytes = readModel(source);
+  refuseOtherFormats(source, bytes);
   refuseUnfitOnnx(source, bytes);
   if (source.outputs.empty()) source.outputs = onnxOutputs(bytes);
   OpenedNetwork opened;

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "byte_source.h"
 #include "wardslam/core/errors.h"
@@ -24,6 +25,9 @@ struct Kind {
 constexpr const char* kUnpack = "unpack it and give the folder or the .rawlog in it";
 constexpr const char* kNoRecording = "give a .rawlog, a folder in the layout of the TUM benchmark or an .ini file";
 
+constexpr const char* kExport = "export its images as a folder in the layout of the TUM benchmark";
+constexpr const char* kUnpackBag = "unpack it (gunzip, zstd -d) and give what comes out";
+
 constexpr Kind kKinds[] = {
     {"PK\x03\x04", "a zip archive", kUnpack},
     {"BZh", "an archive compressed with bzip2", kUnpack},
@@ -35,9 +39,13 @@ constexpr Kind kKinds[] = {
     {"\x89PNG", "a picture", kNoRecording},
     {"\xFF\xD8\xFF", "a picture", kNoRecording},
     {"\x89HDF", "an HDF5 file", kNoRecording},
-    {"\x1A\x45\xDF\xA3", "a Matroska video (of Azure Kinect, perhaps)",
-     "export its images as a folder in the layout of the TUM benchmark"},
+    {"\x1A\x45\xDF\xA3", "a Matroska video (of Azure Kinect, perhaps)", kExport},
     {"ply\n", "a point cloud", kNoRecording},
+    {"# .PCD", "a point cloud", kNoRecording},
+    {"NI10", "a recording of OpenNI (.oni)", kExport},
+    {"RIFF", "a video", kExport},
+    {"#ROSBAG", "a packed bag of ROS 1", kUnpackBag},
+    {"\x89MCAP0", "a packed MCAP file", kUnpackBag},
 };
 
 std::string headOf(const fs::path& file) {
@@ -64,8 +72,10 @@ void refuseForeignInput(const fs::path& file) {
     fail(file, "a tar archive",
          "unpack it (tar xf " + file.filename().string() + ") and give the folder that is in it");
   }
-  if (file.extension() == ".klg") {
-    fail(file, "a recording of Logger2 (.klg)", "export its images as a folder in the layout of the TUM benchmark");
+  if (head.size() > 8 && head.compare(4, 4, "ftyp") == 0) fail(file, "a video", kExport);
+  for (const auto& [extension, program] :
+       {std::pair(".klg", "Logger2"), std::pair(".sens", "ScanNet"), std::pair(".svo", "ZED cameras")}) {
+    if (file.extension() == extension) fail(file, std::string("a recording of ") + program, kExport);
   }
 }
 

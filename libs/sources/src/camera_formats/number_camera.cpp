@@ -43,6 +43,10 @@ std::optional<RgbdCamera> readNumberCamera(const core::ConfigNode& root) {
     model.cx_px = numbers[2];
     model.fy_px = numbers[columns + 1];
     model.cy_px = numbers[columns + 2];
+  } else if (numbers.size() > 1) {
+    root.fail("holds " + std::to_string(numbers.size()) +
+              " numbers alone, which are neither 'fx fy cx cy' nor a camera matrix; write 'fx: …', 'fy: …', 'cx: …', "
+              "'cy: …' and what else is known (width, height, k1, k2, p1, p2, k3), one a line");
   } else {
     return std::nullopt;
   }
