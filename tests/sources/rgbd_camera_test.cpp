@@ -153,6 +153,11 @@ TEST_F(RgbdCameraFile, ReadsWhatRostopicEchoPrints) {
               ThrowsMessage<core::InputError>(HasSubstr("more than five coefficients")));
 }
 
+TEST_F(RgbdCameraFile, ReadsMatricesByColumnsAndInRows) {
+  expectTheCamera(read("{\"width\": 640, \"height\": 480, \"K\": [525, 0, 0, 0, 526, 0, 319.5, 239.5, 1]}"), 0.0);
+  expectTheCamera(read("{\"width\": 640, \"height\": 480, \"K\": [[525, 0, 319.5], [0, 526, 239.5], [0, 0, 1]]}"), 0.0);
+}
+
 TEST_F(RgbdCameraFile, ReadsThatOfOpenCv) {
   expectTheCamera(read("%YAML:1.0\n---\nimage_width:640\nimage_height:480\ncamera_matrix: !!opencv-matrix\n rows: 3\n"
                        " cols: 3\n dt: f\n data: [525, 0, 319.5, 0, 526, 239.5, 0, 0, 1 ]\ndepth_factor: 1000\n"),

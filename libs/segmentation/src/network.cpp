@@ -47,15 +47,18 @@ cv::Size onnxInputSize(const NetworkSource& source, std::string_view bytes) {
 
 /// Networks in the files of other libraries, by their first bytes.
 void refuseOtherFormats(const NetworkSource& source, std::string_view bytes) {
-  const std::string exported =
-      "; export it as ONNX (with Ultralytics: yolo export model=" + source.model.filename().string() +
-      " format=onnx opset=12)";
   const auto startsWith = [&](std::string_view mark) { return bytes.substr(0, mark.size()) == mark; };
-  if (startsWith("PK\x03\x04")) fail(source.model, "is an archive, as PyTorch writes networks" + exported);
-  if (bytes.size() > 8 && bytes.substr(4, 4) == "TFL3")
-    fail(source.model, "is a network of TensorFlow Lite" + exported);
-  if (startsWith("ftrt")) fail(source.model, "is an engine of TensorRT" + exported);
-  if (startsWith("<?xml")) fail(source.model, "is XML, as OpenVINO writes networks" + exported);
+  if (startsWith("PK\x03\x04")) {
+    fail(source.model,
+         "is an archive, as PyTorch writes networks; export it as ONNX (with Ultralytics: yolo export model=" +
+             source.model.filename().string() + " format=onnx opset=12)");
+  }
+  const char* const library = startsWith("ftrt")                                 ? "TensorRT"
+                              : startsWith("<?xml")                              ? "OpenVINO"
+                              : bytes.size() > 8 && bytes.substr(4, 4) == "TFL3" ? "TensorFlow Lite"
+                                                                                 : nullptr;
+  if (library == nullptr) return;
+  fail(source.model, std::string("is a file for ") + library + "; export the network it was made of as ONNX");
 }
 
 /// What no library could run, said in other words than a library's.

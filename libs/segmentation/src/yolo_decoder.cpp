@@ -86,8 +86,8 @@ std::optional<Detection> readRow(const float* values, const YoloLayout& layout, 
   }
   if (const auto listed = labels.listed(); listed && number >= static_cast<float>(*listed)) {
     throw YoloLayoutError("puts out class number " + std::to_string(static_cast<int>(std::min(number, kLargestClass))) +
-                          ", counted from 0, but " + std::to_string(*listed) +
-                          " classes are named; give the label file of this network: --classes FILE");
+                          ", counted from 0, with only " + std::to_string(*listed) +
+                          " named; give the label file of this network: --classes FILE");
   }
   const core::ClassId classId = labels.classOf(static_cast<int>(std::min(number, kLargestClass)));
   const bool isBoxFinite = std::all_of(values, values + kBoxValues, [](float value) { return std::isfinite(value); });

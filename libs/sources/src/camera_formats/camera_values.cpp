@@ -32,7 +32,12 @@ double numberAt(const ConfigNode& node, const std::string& key, double otherwise
 std::vector<double> numbersAt(const ConfigNode& list, std::size_t least) {
   std::vector<double> numbers;
   if (list.exists() && list.yaml().IsSequence()) {
-    for (std::size_t i = 0; i < list.yaml().size(); ++i) numbers.push_back(numberIn(list.item(i)));
+    for (std::size_t i = 0; i < list.yaml().size(); ++i) {
+      const ConfigNode item = list.item(i);
+      const bool isRow = item.yaml().IsSequence();  // of a matrix
+      for (std::size_t j = 0; isRow && j < item.yaml().size(); ++j) numbers.push_back(numberIn(item.item(j)));
+      if (!isRow) numbers.push_back(numberIn(item));
+    }
   }
   if (numbers.size() < least) list.fail("a list of " + std::to_string(least) + " numbers is expected here");
   return numbers;
@@ -46,10 +51,12 @@ ConfigNode firstChild(const ConfigNode& node, std::initializer_list<const char*>
 }
 
 void setMatrix(core::CameraModel& camera, const std::vector<double>& matrix) {
+  // Row by row the third row begins with zeros; some write it column by column (Record3D, Eigen).
+  const bool isByColumns = matrix[2] == 0.0 && matrix[5] == 0.0 && matrix[6] != 0.0;
   camera.fx_px = matrix[0];
-  camera.cx_px = matrix[2];
+  camera.cx_px = matrix[isByColumns ? 6 : 2];
   camera.fy_px = matrix[4];
-  camera.cy_px = matrix[5];
+  camera.cy_px = matrix[isByColumns ? 7 : 5];
 }
 
 void setPlumbBob(core::CameraModel& camera, const std::vector<double>& coefficients, const ConfigNode& where) {
