@@ -10,6 +10,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "support/complaint.h"
+#include "support/temporary_folder.h"
 #include "wardslam/core/mrpt_compat.h"
 
 namespace wardslam::sources {
@@ -146,6 +148,30 @@ TEST(BagObservations, MetresAreStepsOfAFifthOfAMillimetre) {
   EXPECT_FLOAT_EQ(read.scans[0]->rangeUnits, 0.0002F);
   EXPECT_EQ(read.scans[0]->rangeImage(5, 10), 5500);
   EXPECT_EQ(read.scans[0]->rangeImage(5, 1), 0);
+}
+
+TEST(BagObservations, SaysWhichUnitDoesNotCount) {
+  SourceOptions options;
+  options.depth_units_per_m = 1000.0;
+  EXPECT_THAT(readAll("float.mcap", options).notes, Contains(HasSubstr("--depth-factor does not change")));
+  const test::TemporaryFolder folder;
+  options = {};
+  options.camera = folder.write("camera.yaml",
+                                "width: 64\nheight: 48\nfx: 52.5\nfy: 52.5\ncx: 31.5\ncy: 23.5\ndepth_factor: 5000\n");
+  EXPECT_THAT(readAll("none.mcap", options).notes,
+              Contains(AllOf(HasSubstr("1000 units a metre"), HasSubstr("not 5000, as the camera file says"))));
+}
+
+TEST(BagObservations, SaysAsWhatAForeignCameraFileIsRead) {
+  const test::TemporaryFolder folder;
+  SourceOptions options;
+  options.camera = folder.write("camchain.yaml",
+                                "cam0:\n  camera_model: pinhole\n  intrinsics: [52.5, 52.5, 31.5, 23.5]\n"
+                                "  resolution: [64, 48]\n");
+  EXPECT_THAT(readAll("none.mcap", options).notes, Contains(HasSubstr("Kalibr")));
+  options.camera = folder.write("intrinsic.txt", "52.5 52.5 31.5 23.5\n");
+  EXPECT_THAT(test::complaintOf([&] { return readAll("none.mcap", options).scans; }),
+              HasSubstr("does not tell the size of the images"));
 }
 
 TEST(BagObservations, ARecordingThatWasCutOffIsReadAndCounted) {

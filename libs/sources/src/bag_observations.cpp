@@ -30,7 +30,9 @@ using mrpt::obs::CObservationOdometry;
 
 std::optional<RgbdCamera> givenCamera(const SourceOptions& options) {
   if (!options.camera) return std::nullopt;
-  return readRgbdCamera(*options.camera);
+  const RgbdCamera camera = readRgbdCamera(*options.camera, options.note);
+  if (camera.color.width_px > 0) return camera;
+  throw core::InputError(options.camera->string() + ": does not tell the size of the images it is for; add it");
 }
 
 /// What is to be made of one or two messages.
@@ -64,7 +66,8 @@ class BagObservations::Reading {
     rig_ = rigOf(found, topic(streams_.color).name, topic(streams_.depth).name, color, file_);
     transforms_ = found.transforms;
     unit_m_ = found.depthUnit_m;
-    if (options.depth_units_per_m) unit_m_ = 1.0 / *options.depth_units_per_m;
+    isUnitGiven_ = options.depth_units_per_m.has_value();
+    if (isUnitGiven_) unit_m_ = 1.0 / *options.depth_units_per_m;
     plan(found);
     tell(found);
   }
@@ -189,8 +192,22 @@ class BagObservations::Reading {
     bags::DepthImage depth = isCompressed ? bags::decodeDepth(bags::readCompressedImage(message, about.wire))
                                           : bags::decodeDepth(bags::readImage(message, about.wire));
     if (unit_m_ && !depth.isOfMetres) depth.unit_m = *unit_m_;
+    tellOfUnit(depth, about.name);
     if (depth.tooFar > 0) noteOnce(about.name + " has depths beyond 13.1 m, which are left out");
     return depth;
+  }
+
+  /// Where somebody told of a unit that does not count.
+  void tellOfUnit(const bags::DepthImage& depth, const std::string& name) {
+    if (depth.isOfMetres) {
+      if (isUnitGiven_) noteOnce(name + " is of floating-point metres, which --depth-factor does not change");
+      return;
+    }
+    const double camera_per_m = given_ ? given_->depth_units_per_m : 0.0;
+    if (isUnitGiven_ || camera_per_m == 0.0 || std::abs(camera_per_m * depth.unit_m - 1.0) < 1e-3) return;
+    const auto text = [](double number) { return std::to_string(std::lround(number)); };
+    noteOnce(name + " has " + text(1.0 / depth.unit_m) + " units a metre, as recordings of ROS have, and not " +
+             text(camera_per_m) + ", as the camera file says; --depth-factor N changes that");
   }
 
   std::shared_ptr<CObservation> makeOdometry(const Item& item) {
@@ -244,6 +261,7 @@ class BagObservations::Reading {
   std::string file_;
   NoteSink note_;
   std::optional<double> unit_m_;  ///< Replaces millimetres.
+  bool isUnitGiven_ = false;      ///< By who asks, not by the recording.
   DamageLog damage_;
   DepthScaleCheck scaleCheck_;
   std::unique_ptr<bags::BagReader> bag_;
