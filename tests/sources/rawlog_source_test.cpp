@@ -191,6 +191,23 @@ TEST_F(RawlogFile, AGivenCameraReplacesTheCalibration) {
   EXPECT_EQ(scan->cameraParams.fx(), 9.0);
 }
 
+TEST_F(RawlogFile, TheUnitOfACameraFileDoesNotCountAndThatIsSaid) {
+  const auto scan = makeScan(0, 16, 16);
+  scan->rangeUnits = 0.001F;
+  write({scan});
+  std::vector<std::string> notes;
+  SourceOptions options;
+  options.note = [&](const std::string& sentence) { notes.push_back(sentence); };
+  const std::string camera = "width: 16\nheight: 16\nfx: 9\nfy: 9\ncx: 7.5\ncy: 7.5\ndepth_factor: ";
+  options.camera = folder.write("camera.yaml", camera + "1000\n");
+  const RawlogSource silent(file, options);
+  EXPECT_TRUE(notes.empty());
+  options.camera = folder.write("camera.yaml", camera + "5000\n");
+  const RawlogSource telling(file, options);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_THAT(notes[0], AllOf(HasSubstr("1000 units a metre, which counts"), HasSubstr("not 5000")));
+}
+
 TEST_F(RawlogFile, AGivenCameraIsThatOfTheColourImage) {
   const auto twoCameras = makeScan(0, 16, 16);
   twoCameras->relativePoseIntensityWRTDepth.y(0.02);

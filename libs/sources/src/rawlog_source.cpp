@@ -3,6 +3,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationStereoImages.h>
 
+#include <cmath>
 #include <utility>
 
 #include "observation_camera.h"
@@ -55,9 +56,19 @@ RawlogSource::RawlogSource(const fs::path& file, const SourceOptions& options)
   }
   first_ = readScan();
   if (!first_) failWithoutScans();
+  tellOfUnit(*first_);
 }
 
 RawlogSource::~RawlogSource() = default;
+
+void RawlogSource::tellOfUnit(const CObservation3DRangeScan& scan) const {
+  const double camera_per_m = camera_ && !depth_units_per_m_ ? camera_->depth_units_per_m : 0.0;
+  const auto unit_m = static_cast<double>(scan.rangeUnits);
+  if (camera_per_m == 0.0 || std::abs(camera_per_m * unit_m - 1.0) < 1e-3) return;
+  const auto text = [](double number) { return std::to_string(std::lround(number)); };
+  note_(file_.string() + ": tells that its depth has " + text(1.0 / unit_m) + " units a metre, which counts, and not " +
+        text(camera_per_m) + ", as the camera file says; --depth-factor N changes that");
+}
 
 std::shared_ptr<CObservation3DRangeScan> RawlogSource::next() {
   if (first_) return std::exchange(first_, nullptr);

@@ -51,6 +51,7 @@ class RawlogSource : public ObservationSource {
   [[nodiscard]] ScanPtr readScan();
   [[nodiscard]] bool fillPending();
   [[nodiscard]] ScanPtr takeIfUsable(const ObservationPtr& observation);
+  void tellOfUnit(const mrpt::obs::CObservation3DRangeScan& scan) const;
   [[nodiscard]] ScanPtr prepare(const std::shared_ptr<mrpt::obs::CObservation3DRangeScan>& scan) const;
   [[nodiscard]] ScanPtr prepare(const mrpt::obs::CObservationStereoImages& pair);
   void requireOrderOfTime(const mrpt::obs::CObservation3DRangeScan& scan);
