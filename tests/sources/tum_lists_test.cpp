@@ -41,6 +41,27 @@ TEST_F(ImageLists, AreAssociatedByTime) {
   EXPECT_EQ(pairs[1].line, 5);
 }
 
+TEST_F(ImageLists, TakeDecimalCommasWhereBlanksPartTheWords) {
+  folder.write("rgb.txt", "1,25 rgb/a.png\n1700000000,75\trgb/b.png\n");
+  folder.write("depth.txt", "1.25,depth/x.png\n1700000000.75, depth/y.png\n");
+  const auto pairs = listImagePairs(folder.path());
+  ASSERT_THAT(pairs, SizeIs(2));
+  EXPECT_EQ(pairs[0].color.stamp_s, 1.25);
+  EXPECT_EQ(pairs[1].color.stamp_s, 1700000000.75);
+  EXPECT_EQ(pairs[1].color.file, "rgb/b.png");
+}
+
+TEST_F(ImageLists, TellOfTwoClocksWhereColourAndDepthHaveTwo) {
+  folder.write("rgb.txt", "1700000000.25 rgb/a.png\n");
+  folder.write("depth.txt", "1700000000250000000 depth/x.png\n");
+  EXPECT_EQ(listPairs().at(0).depth.stamp_s, 1700000000.25);
+  EXPECT_THAT(notes, ElementsAre(AllOf(HasSubstr("depth.txt"), HasSubstr("nanoseconds"))));
+  notes.clear();
+  folder.write("rgb.txt", "1700000000250000000 rgb/a.png\n");
+  static_cast<void>(listPairs());
+  EXPECT_THAT(notes, ElementsAre(AllOf(HasSubstr("rgb.txt"), HasSubstr("nanoseconds"))));
+}
+
 TEST_F(ImageLists, AnAssociationFileDecides) {
   folder.write("rgb.txt", "1.0 rgb/a.png\n");
   folder.write("depth.txt", "1.0 depth/x.png\n");

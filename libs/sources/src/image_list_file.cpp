@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <regex>
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/stamp_clock.h"
@@ -16,9 +17,16 @@ using Words = std::vector<std::string>;
 
 bool isNumber(const std::string& word) { return core::StampClock().seconds(word).has_value(); }
 
+/// Stamps with a decimal comma get a point, in lines that blanks part: there a comma between digits parts nothing.
+std::string withDecimalPoints(std::string text) {
+  static const std::regex kDecimalComma(R"((^|\s)(\d+),(\d+)(?=\s|$))");
+  if (text.find_first_of(" \t") == std::string::npos || text.find(',') == std::string::npos) return text;
+  return std::regex_replace(text, kDecimalComma, "$1$2.$3");
+}
+
 /// Without the plus signs that some programs put before numbers or between the two images.
 Words wordsOf(const std::string& text) {
-  Words words = core::wordsIn(text);
+  Words words = core::wordsIn(withDecimalPoints(text));
   for (std::string& word : words) {
     if (word.size() > 1 && word.front() == '+' && isNumber(word.substr(1))) word.erase(0, 1);
   }

@@ -67,8 +67,11 @@ core::StampClock setStamps(Lines& lines, std::size_t image, const fs::path& list
   return clock;
 }
 
-void tellOfClock(const core::StampClock& clock, const fs::path& list, const ListReading& reading) {
-  if (!clock.isSeconds()) reading.note(list.string() + ": " + clock.sentencePart());
+/// Tells of the clock of a list unless that of the other images, `told`, is the same.
+void tellOfClock(const core::StampClock& clock, const fs::path& list, const ListReading& reading, std::string& told) {
+  const std::string sentence = clock.isSeconds() ? "" : clock.sentencePart();
+  if (!sentence.empty() && sentence != told) reading.note(list.string() + ": " + sentence);
+  told = sentence;
 }
 
 /// In order of time, each stamp once.
@@ -97,15 +100,14 @@ void locate(Lines& lines, const fs::path& folder) {
 }
 
 /// A list of single images, ready to be associated.
-Lines readTimedList(const fs::path& list, const ListReading& reading, bool tellsOfClock) {
+Lines readTimedList(const fs::path& list, const ListReading& reading, std::string& toldOfClock) {
   Lines lines = readImageList(list, 1);
   for (ImageListLine& line : lines) {
     ImageEntry& entry = line.entries[0];
     if (entry.stampText.empty()) entry.stampText = fs::path(entry.file).stem().string();  // a list of names alone
   }
   locate(lines, list.parent_path());
-  const core::StampClock clock = setStamps(lines, 0, list, reading.rate_hz);
-  if (tellsOfClock) tellOfClock(clock, list, reading);
+  tellOfClock(setStamps(lines, 0, list, reading.rate_hz), list, reading, toldOfClock);
   putInOrder(lines, 0, list, reading);
   return lines;
 }
@@ -143,9 +145,10 @@ std::vector<ImagePair> pairsFromAssociations(const fs::path& folder, const fs::p
   locate(lines, folder);
   findStamps(lines, folder);
   const std::size_t color = namesDepthFirst(lines.front(), folder) ? 1 : 0;
-  const core::StampClock clock = setStamps(lines, color, list, reading.rate_hz);
-  setStamps(lines, 1 - color, list, reading.rate_hz);
-  tellOfClock(clock, list, reading);
+  std::string told;
+  for (const std::size_t image : {color, 1 - color}) {
+    tellOfClock(setStamps(lines, image, list, reading.rate_hz), list, reading, told);
+  }
   putInOrder(lines, color, list, reading);
   std::vector<ImagePair> pairs;
   pairs.reserve(lines.size());
@@ -233,8 +236,9 @@ std::vector<ImagePair> listImagePairs(const fs::path& folder, const ListReading&
   }
   const fs::path colors = colorList.value_or(folder / kColorLists.front());
   const fs::path depths = depthList.value_or(folder / kDepthLists.front());
-  const Lines color = readTimedList(colors, reading, true);
-  return associate(color, colors, readTimedList(depths, reading, false), depths);
+  std::string toldOfClock;
+  const Lines color = readTimedList(colors, reading, toldOfClock);
+  return associate(color, colors, readTimedList(depths, reading, toldOfClock), depths);
 }
 
 }  // namespace wardslam::sources
