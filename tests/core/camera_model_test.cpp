@@ -75,6 +75,54 @@ TEST(CameraModel, UndistortInvertsTheLensAllOverTheImage) {
   EXPECT_GT(largestShift_px, 5.0) << "the lens was not applied at all";
 }
 
+TEST(CameraModel, SeesWhatFallsIntoTheRawImage) {
+  CameraModel barrel;
+  barrel.k1 = -0.28;
+  // By hand: x = 0.62 is 0.62 (1 - 0.28 * 0.3844) = 0.55327, at 525 px 290.5 px beside the middle, inside; without a
+  // lens it would be 325.5 px, outside. x = 0.72 is 0.61549, 323.1 px, outside.
+  const auto inside = barrel.seenAt({0.62, 0.0, 1.0});
+  ASSERT_TRUE(inside);
+  EXPECT_NEAR(inside->x(), 319.5 + 290.47, 0.01);
+  EXPECT_FALSE(barrel.seenAt({0.72, 0.0, 1.0}));
+  EXPECT_FALSE(CameraModel().seenAt({0.62, 0.0, 1.0})) << "without the lens";
+  EXPECT_TRUE(CameraModel().seenAt({0.6, 0.0, 1.0}));
+  EXPECT_FALSE(CameraModel().seenAt({0.0, 0.0, -1.0})) << "behind the camera";
+  EXPECT_FALSE(CameraModel().seenAt({0.0, 0.0, 0.0}));
+}
+
+TEST(CameraModel, DoesNotSeeWhereTheLensModelFoldsBack) {
+  CameraModel barrel;
+  barrel.k1 = -0.28;
+  // r (1 - 0.28 r^2) grows up to r = 1.091 and is 0 again at r = 1.89: what is there would be in the middle of the
+  // image.
+  const Eigen::Vector3d aside(1.8, 0.0, 1.0);
+  EXPECT_LT(std::abs(barrel.projectDistorted(aside).x() - barrel.cx_px), 100.0);
+  EXPECT_FALSE(barrel.seenAt(aside));
+  CameraModel wavy = barrel;  // it grows again from r = 1.5 on, but what is there is beyond the fold all the same
+  wavy.k2 = 0.06;
+  wavy.fx_px = wavy.fy_px = 100.0;
+  ASSERT_GT(1 - 3 * 0.28 * 4 + 5 * 0.06 * 16, 0.0);
+  EXPECT_FALSE(wavy.seenAt({2.0, 0.0, 1.0}));
+  EXPECT_TRUE(wavy.seenAt({0.8, 0.0, 1.0}));
+  CameraModel steep = barrel;
+  steep.k2 = 0.02;
+  steep.k3 = 0.004;
+  EXPECT_FALSE(steep.seenAt({1.5, 0.0, 1.0})) << "the slope is 1 - 1.89 + 0.51 + 0.32 = -0.06";
+}
+
+TEST(CameraModel, TheEdgeOfTheImageIsTheEdgeOfWhatIsSeen) {
+  const CameraModel camera = distortingCamera();
+  for (const cv::Point2f& corner :
+       {cv::Point2f(1, 1), cv::Point2f(638, 1), cv::Point2f(1, 478), cv::Point2f(638, 478)}) {
+    const cv::Point2f undistorted_px = camera.undistort({corner}).front();
+    const Eigen::Vector2d edge_px(undistorted_px.x, undistorted_px.y);
+    EXPECT_TRUE(camera.seenAt(camera.unproject(edge_px, 1.0))) << corner;
+    const Eigen::Vector2d centre_px(camera.cx_px, camera.cy_px);
+    const Eigen::Vector2d farther_px = centre_px + 1.02 * (edge_px - centre_px);
+    EXPECT_FALSE(camera.seenAt(camera.unproject(farther_px, 1.0))) << corner;
+  }
+}
+
 TEST(CameraModel, UndistortOfNothingIsNothing) { EXPECT_TRUE(distortingCamera().undistort({}).empty()); }
 
 TEST(CameraModel, GoesThroughMrptUnchanged) {

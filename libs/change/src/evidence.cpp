@@ -24,7 +24,7 @@ constexpr double kMostForRest = 0.5;
 
 std::optional<Eigen::Vector2d> pixelOf(const Eigen::Vector3d& p_cam_m, const core::CameraModel& camera) {
   if (p_cam_m.z() < kNearest_m) return std::nullopt;
-  return camera.projectDistorted(p_cam_m);
+  return camera.seenAt(p_cam_m);
 }
 
 Seen seenAt(double z_m, const DepthRange& shown, const core::DepthNoise& ofPoint, const core::DepthNoise& ofImage) {

@@ -2,9 +2,29 @@
 
 #include <mrpt/img/TCamera.h>
 
+#include <cmath>
 #include <opencv2/calib3d.hpp>
 
 namespace wardslam::core {
+namespace {
+
+/// Whether the distorted radius stops to grow with the ideal one before that is sqrt(r2): its derivative,
+/// 1 + 3 k1 s + 5 k2 s^2 + 7 k3 s^3 with s = r^2, has its least values at the end and where its own derivative is 0.
+bool foldsWithin(double r2, const CameraModel& camera) {
+  const double a = 3.0 * camera.k1;
+  const double b = 5.0 * camera.k2;
+  const double c = 7.0 * camera.k3;
+  const auto folds = [&](double s) { return 1.0 + s * (a + s * (b + s * c)) <= 0.0; };
+  if (folds(r2)) return true;
+  const auto foldsInside = [&](double s) { return s > 0.0 && s < r2 && folds(s); };
+  if (c == 0.0) return b != 0.0 && foldsInside(-a / (2.0 * b));
+  const double discriminant = b * b - 3.0 * a * c;
+  if (discriminant < 0.0) return false;
+  const double root = std::sqrt(discriminant);
+  return foldsInside((-b + root) / (3.0 * c)) || foldsInside((-b - root) / (3.0 * c));
+}
+
+}  // namespace
 
 std::vector<cv::Point2f> CameraModel::undistort(const std::vector<cv::Point2f>& raw_px) const {
   if (raw_px.empty() || !hasDistortion()) return raw_px;
@@ -24,6 +44,16 @@ Eigen::Vector2d CameraModel::projectDistorted(const Eigen::Vector3d& p_cam) cons
   const double xd = x * radial + 2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x);
   const double yd = y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y;
   return {fx_px * xd + cx_px, fy_px * yd + cy_px};
+}
+
+std::optional<Eigen::Vector2d> CameraModel::seenAt(const Eigen::Vector3d& p_cam) const {
+  if (p_cam.z() <= 0.0) return std::nullopt;
+  const double r2 = (p_cam.head<2>() / p_cam.z()).squaredNorm();
+  if (hasDistortion() && foldsWithin(r2, *this)) return std::nullopt;
+  const Eigen::Vector2d raw_px = hasDistortion() ? projectDistorted(p_cam) : project(p_cam);
+  const bool isInside =
+      raw_px.x() >= 0 && raw_px.x() <= width_px - 1 && raw_px.y() >= 0 && raw_px.y() <= height_px - 1;
+  return isInside ? std::optional(raw_px) : std::nullopt;
 }
 
 CameraModel fromMrpt(const mrpt::img::TCamera& camera) {

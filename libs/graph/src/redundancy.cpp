@@ -11,12 +11,7 @@ constexpr double kSameDirection = 0.906;  // cosine of 25 degrees, within which 
 /// Whether a camera there sees the point as one here does: from as near, and from the same side.
 bool seesAlike(const KeyframeNode& there, const KeyframeNode& here, const Eigen::Vector3d& p_map_m) {
   const Eigen::Vector3d p_there_m = there.T_map_cam.inverse() * p_map_m;
-  if (p_there_m.z() <= 0.0) return false;
-  const core::CameraModel& camera = there.keyframe->camera;
-  const Eigen::Vector2d undistorted_px = camera.project(p_there_m);
-  if ((undistorted_px.array() < 0.0).any() || undistorted_px.x() > camera.width_px - 1 ||
-      undistorted_px.y() > camera.height_px - 1)
-    return false;
+  if (!there.keyframe->camera.seenAt(p_there_m)) return false;
   const Eigen::Vector3d fromThere_m = p_map_m - there.T_map_cam.translation();
   const Eigen::Vector3d fromHere_m = p_map_m - here.T_map_cam.translation();
   const double product_m2 = fromThere_m.norm() * fromHere_m.norm();

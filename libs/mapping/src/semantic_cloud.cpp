@@ -253,11 +253,10 @@ SemanticCloud::Look SemanticCloud::look(const core::CameraModel& camera, const E
       CloudPoint& seen = tile.points[i];
       const Eigen::Vector3f p_cam_m = T_cam_tile * seen.p_cam_m;
       if (p_cam_m.z() < 0.1F || p_cam_m.z() > static_cast<float>(options_.max_range_m)) continue;
-      const Eigen::Vector2d px = camera.hasDistortion() ? camera.projectDistorted(p_cam_m.cast<double>())
-                                                        : camera.project(p_cam_m.cast<double>());
-      const int u = static_cast<int>(std::lround(px.x()));
-      const int v = static_cast<int>(std::lround(px.y()));
-      if (u < 0 || v < 0 || u >= depth_m.cols || v >= depth_m.rows) continue;
+      const auto raw_px = camera.seenAt(p_cam_m.cast<double>());
+      if (!raw_px) continue;
+      const auto u = static_cast<int>(std::lround(raw_px->x()));
+      const auto v = static_cast<int>(std::lround(raw_px->y()));
       const float behind_m = nearest_m.at<float>(v, u);
       if (behind_m > 0 && behind_m - p_cam_m.z() >
                               edgeStep_m(p_cam_m.z(), camera.depthNoise) + edgeStep_m(behind_m, camera.depthNoise)) {

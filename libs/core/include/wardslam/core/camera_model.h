@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <opencv2/core/types.hpp>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -56,6 +57,10 @@ struct CameraModel {
 
   /// Raw-image pixel of a point in the camera frame (m, z > 0), lens distortion applied.
   [[nodiscard]] Eigen::Vector2d projectDistorted(const Eigen::Vector3d& p_cam) const;
+
+  /// The same, where the camera sees it: in front of it, inside the raw image, and not beyond where the lens model folds
+  /// back (there its polynomial leads far points into the image again).
+  [[nodiscard]] std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& p_cam) const;
 };
 
 [[nodiscard]] CameraModel fromMrpt(const mrpt::img::TCamera& camera);
