@@ -128,6 +128,8 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["frames_tracked"] = statistics.framesTracked();
   json["coverage"] = statistics.coverage();
   json["lost_events"] = statistics.lostEvents();
+  json["frames_held_by_depth"] = statistics.framesHeldByDepth();
+  json["readout_ms"] = rounded(1e3 * statistics.readout_s(), 1);
   json["keyframes"] = statistics.keyframes();
   json["loops_closed"] = summary.slam.mapper().loopsClosed();
   json["submaps_joined"] = summary.slam.mapper().submapsJoined();

@@ -39,6 +39,22 @@ TEST(DepthView, SaysWhatBecomesOfASurfaceThatShouldBeThere) {
   EXPECT_EQ(lookUp({}, kCamera, {0.0, 0.0, 3.0}), InDepth::Unknown) << "without depth";
 }
 
+TEST(DepthView, MayShowWhatNothingHides) {
+  DepthImage image = wallAt(3.0F);
+  image.depth_m(cv::Rect(400, 0, 100, 480)).setTo(1.0F);  // somebody stands there
+  image.depth_m(cv::Rect(550, 0, 50, 480)).setTo(0.0F);
+  image.mayMove = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));
+  image.mayMove(cv::Rect(100, 200, 60, 60)) = cv::Scalar(255);
+  const core::DepthNoise noise;
+  EXPECT_TRUE(maySee(image, {300, 240}, 3.0, noise));
+  EXPECT_TRUE(maySee(image, {300, 240}, 2.0, noise)) << "what is not there any more is not hidden";
+  EXPECT_FALSE(maySee(image, {450, 240}, 3.0, noise)) << "behind somebody";
+  EXPECT_TRUE(maySee(image, {400, 240}, 3.0, noise)) << "where he ends nobody knows to the pixel";
+  EXPECT_FALSE(maySee(image, {130, 230}, 3.0, noise)) << "something moves there";
+  EXPECT_TRUE(maySee(image, {575, 240}, 3.0, noise)) << "nothing was measured";
+  EXPECT_TRUE(maySee({}, {575, 240}, 3.0, noise)) << "nor here";
+}
+
 TEST(DepthView, SaysNothingOfWhatMayMove) {
   DepthImage image = wallAt(3.0F);
   image.mayMove = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));

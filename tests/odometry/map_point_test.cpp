@@ -97,6 +97,20 @@ TEST(MapPoint, ProjectsWhereTheCameraSeesIt) {
   EXPECT_NEAR(nearer->scale, 1.2 * 2.0 / std::hypot(0.1, 1.0), 1e-6) << "half as far: twice as large";
 }
 
+TEST(MapPoint, IsSeenAsFarOutAsTheLensShows) {
+  core::CameraModel barrel = camera();
+  barrel.k1 = -0.28;
+  MapPoint point;
+  point.p_map_m = {0.68, 0,
+                   1.0};  // 0.68 (1 - 0.28 * 0.4624) = 0.592: within 320 px of the middle at 500 px; 0.68 is not
+  const auto seen = project(7, point, barrel, kOrigin);
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->undistorted_px.x(), 320 + 340, 1.0);
+  EXPECT_NEAR(seen->raw_px.x(), 320 + 296, 1.0);
+  EXPECT_NEAR(seen->depth_m, 1.0, 1e-12);
+  EXPECT_FALSE(project(7, point, camera(), kOrigin));
+}
+
 TEST(MapPoint, IsNotSeenOutsideBehindTooNearOrFromTheSide) {
   const auto point = makeMapPoint(keypoint(320, 240, 2.0F), {}, camera(), kOrigin);
   const auto isSeen = [&](const Eigen::Isometry3d& T) { return project(7, point, camera(), T.inverse()).has_value(); };

@@ -81,5 +81,17 @@ TEST(RunStatistics, NeverHavingFoundAPoseIsNoLoss) {
   EXPECT_EQ(statistics.coverage(), 0.0);
 }
 
+TEST(RunStatistics, TellsWhatTrackingWentBy) {
+  RunStatistics statistics;
+  odometry::OdometryResult result = tracked(State::Ok);
+  result.readout_s = 0.01;
+  statistics.onFrame(frameOf(0, 0), result);
+  result.isHeldByDepth = true;
+  result.readout_s = 0.02;
+  statistics.onFrame(frameOf(0, 0), result);
+  EXPECT_EQ(statistics.framesHeldByDepth(), 1U);
+  EXPECT_EQ(statistics.readout_s(), 0.02) << "the last is the best";
+}
+
 }  // namespace
 }  // namespace wardslam::pipeline

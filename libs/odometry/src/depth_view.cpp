@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "wardslam/core/nearest_pixel.h"
+
 namespace wardslam::odometry {
 namespace {
 
@@ -13,8 +15,8 @@ constexpr double kSigmas = 3.0;
 constexpr double kPoseError_m = 0.05;          // what a pose may be off by, and half a cell of a slanted wall,
 constexpr double kPoseErrorPerMetre_m = 0.03;  // the more the farther away
 
-double tolerance_m(const core::CameraModel& camera, double depth_m) {
-  return kPoseError_m + kPoseErrorPerMetre_m * depth_m + kSigmas * camera.depthNoise.sigma_m(depth_m);
+double tolerance_m(const core::DepthNoise& noise, double depth_m) {
+  return kPoseError_m + kPoseErrorPerMetre_m * depth_m + kSigmas * noise.sigma_m(depth_m);
 }
 
 std::uint16_t toMillimetres(float depth_m) {
@@ -58,13 +60,10 @@ DepthView makeDepthView(const DepthImage& image) {
 
 InDepth lookUp(const DepthView& view, const core::CameraModel& camera, const Eigen::Vector3d& p_cam_m) {
   if (view.cell_px == 0 || p_cam_m.z() < kMinDepth_m) return InDepth::Unknown;
-  const Eigen::Vector2d ideal_px = camera.project(p_cam_m);
-  const bool isInSight = ideal_px.x() >= 0 && ideal_px.x() <= camera.width_px - 1 && ideal_px.y() >= 0 &&
-                         ideal_px.y() <= camera.height_px - 1;
-  if (!isInSight) return InDepth::Unknown;
-  const Eigen::Vector2d px = camera.hasDistortion() ? camera.projectDistorted(p_cam_m) : ideal_px;
-  const int column = static_cast<int>(std::floor(px.x() / view.cell_px));
-  const int row = static_cast<int>(std::floor(px.y() / view.cell_px));
+  const auto raw_px = camera.seenAt(p_cam_m);
+  if (!raw_px) return InDepth::Unknown;
+  const int column = static_cast<int>(std::floor(raw_px->x() / view.cell_px));
+  const int row = static_cast<int>(std::floor(raw_px->y() / view.cell_px));
   if (column < 0 || row < 0 || column >= view.columns || row >= view.rows) return InDepth::Unknown;
   const auto indexOf = [&](int c, int r) { return static_cast<std::size_t>(r * view.columns + c); };
   if (view.nearest_mm[indexOf(column, row)] == 0) return InDepth::Unknown;
@@ -78,10 +77,21 @@ InDepth lookUp(const DepthView& view, const core::CameraModel& camera, const Eig
       farthest_mm = std::max<int>(farthest_mm, view.farthest_mm[indexOf(c, r)]);
     }
   }
-  const double allowed_m = tolerance_m(camera, p_cam_m.z());
+  const double allowed_m = tolerance_m(camera.depthNoise, p_cam_m.z());
   if (p_cam_m.z() < 1e-3 * nearest_mm - allowed_m) return InDepth::SeenThrough;
   if (p_cam_m.z() > 1e-3 * farthest_mm + allowed_m) return InDepth::Hidden;
   return InDepth::Agrees;
+}
+
+bool maySee(const DepthImage& image, const Eigen::Vector2d& raw_px, double depth_m, const core::DepthNoise& noise) {
+  if (image.depth_m.empty()) return true;
+  const cv::Point at =
+      core::nearestPixel({static_cast<float>(raw_px.x()), static_cast<float>(raw_px.y())}, image.depth_m.size());
+  if (image.mayMove.size() == image.depth_m.size() && image.mayMove.at<std::uint8_t>(at) != 0) return false;
+  const cv::Rect around = cv::Rect(at.x - 1, at.y - 1, 3, 3) & cv::Rect({}, image.depth_m.size());
+  double farthest_m = 0.0;
+  cv::minMaxLoc(image.depth_m(around), nullptr, &farthest_m);
+  return farthest_m <= 0.0 || depth_m <= farthest_m + tolerance_m(noise, depth_m);
 }
 
 void DepthAgreement::count(InDepth found) {
@@ -128,7 +138,8 @@ DepthAgreement compareDepth(const DepthView& view, const core::CameraModel& came
       const auto cell = static_cast<std::size_t>(row * other.columns + column);
       const double nearest_m = 1e-3 * other.nearest_mm[cell];
       const double farthest_m = 1e-3 * other.farthest_mm[cell];
-      if (nearest_m <= 0 || farthest_m - nearest_m > tolerance_m(otherCamera, nearest_m)) continue;  // an edge
+      if (nearest_m <= 0 || farthest_m - nearest_m > tolerance_m(otherCamera.depthNoise, nearest_m))
+        continue;  // an edge
       const auto half_px = 0.5F * static_cast<float>(other.cell_px - 1);
       centres_px.emplace_back(static_cast<float>(column * other.cell_px) + half_px,
                               static_cast<float>(row * other.cell_px) + half_px);

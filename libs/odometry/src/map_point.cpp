@@ -25,10 +25,6 @@ Eigen::Vector3d measuredPoint_map(const core::Keypoint& keypoint, const core::Ca
   return T_map_cam * camera.unproject(undistorted_px, static_cast<double>(keypoint.depth_m));
 }
 
-bool isInside(const Eigen::Vector2d& pixel, const core::CameraModel& camera) {
-  return pixel.x() >= 0 && pixel.x() <= camera.width_px - 1 && pixel.y() >= 0 && pixel.y() <= camera.height_px - 1;
-}
-
 }  // namespace
 
 MapPoint makeMapPoint(const core::Keypoint& keypoint, const OrbDescriptor& descriptor, const core::CameraModel& camera,
@@ -66,14 +62,15 @@ std::optional<ProjectedPoint> project(PointId id, const MapPoint& point, const c
                                       const Eigen::Isometry3d& T_cam_map) {
   const Eigen::Vector3d p_cam_m = T_cam_map * point.p_map_m;
   if (p_cam_m.z() < kMinDepth_m) return std::nullopt;
-  const Eigen::Vector2d undistorted_px = camera.project(p_cam_m);
-  if (!isInside(undistorted_px, camera)) return std::nullopt;
+  const auto raw_px = camera.seenAt(p_cam_m);
+  if (!raw_px) return std::nullopt;
   const Eigen::Vector3d fromReference_m = point.p_map_m - point.viewedFrom_map_m;
   const Eigen::Vector3d fromCamera_m = T_cam_map.linear().transpose() * p_cam_m;
   const double referenceDistance_m = fromReference_m.norm();
   const double distance_m = fromCamera_m.norm();
   if (fromReference_m.dot(fromCamera_m) < kMinViewCosine * referenceDistance_m * distance_m) return std::nullopt;
-  return ProjectedPoint{id, &point.descriptor, undistorted_px, point.scale * referenceDistance_m / distance_m};
+  const double scale = point.scale * referenceDistance_m / distance_m;
+  return ProjectedPoint{id, &point.descriptor, camera.project(p_cam_m), scale, *raw_px, p_cam_m.z()};
 }
 
 }  // namespace wardslam::odometry

@@ -22,6 +22,8 @@ PoseCovariance adjoint(const Eigen::Isometry3d& T_b_a) {
 
 }  // namespace
 
+double worstSigma_m(const PoseCovariance& covariance) { return std::sqrt(covariance.diagonal().head<3>().maxCoeff()); }
+
 PoseCovariance transformed(const PoseCovariance& ofA, const Eigen::Isometry3d& T_a_b) {
   const PoseCovariance change = adjoint(T_a_b.inverse());
   return change * ofA * change.transpose();

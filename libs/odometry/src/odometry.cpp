@@ -4,7 +4,10 @@
 #include <deque>
 #include <utility>
 
+#include "constant_velocity.h"
+#include "depth_anchor.h"
 #include "pose_tracker.h"
+#include "rolling_shutter.h"
 #include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::odometry {
@@ -12,6 +15,18 @@ namespace {
 
 /// Keyframes a mapper may lag behind; where there is none, memory stays bounded.
 constexpr std::size_t kMostAwaited = 256;
+
+std::map<PointId, SeenPoint> seenPoints(const TrackedImage& view, const std::vector<Match>& matches) {
+  std::map<PointId, SeenPoint> points;
+  for (const Match& match : matches) {
+    const core::Keypoint& keypoint = view.recorded.keypoints[match.keypoint];
+    points[match.point] = {{keypoint.undistorted_px.x, keypoint.undistorted_px.y},
+                           static_cast<double>(keypoint.depth_m),
+                           static_cast<double>(keypoint.scale),
+                           rowTime(static_cast<double>(keypoint.raw_px.y), view.camera)};
+  }
+  return points;
+}
 
 }  // namespace
 
@@ -33,6 +48,8 @@ class Odometry::Tracker {
       : options_(options),
         map_(options.local_map, earlier.lastPoint + 1),
         poseTracker_(options_),
+        anchor_(options_.depth_alignment),
+        shutter_(options_.rolling_shutter),
         pieces_(earlier.map) {
     lastKeyframe_.id = earlier.lastKeyframe;
     submap_ = earlier.submap;
@@ -47,11 +64,11 @@ class Odometry::Tracker {
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features,
                        const DepthImage& depth, const std::optional<MotionPrior>& motion, const Placement& placeAnew) {
     predict(motion);
-    const TrackedImage view{stamp_s,  camera,    features, depth, KeypointGrid(features.keypoints, camera),
-                            frame_++, predicted_};
+    TrackedImage view{stamp_s, camera, features, shutter_.rectified(features, camera), depth, frame_++, predicted_};
     if (state_ == State::Initialising) return initialise(view, placeAnew);
     const Tracking tracking = find(view);
-    return poseTracker_.isGood(tracking) ? accept(view, tracking) : lose(view, tracking, placeAnew);
+    const bool isFound = poseTracker_.isGood(tracking) || tracking.isHeldByDepth;
+    return isFound ? accept(view, rectify(view, tracking)) : lose(view, tracking, placeAnew);
   }
 
   Eigen::Isometry3d apply(const MapUpdate& update);
@@ -75,8 +92,11 @@ class Odometry::Tracker {
   OdometryResult initialise(const TrackedImage& view, const Placement& placeAnew);
   [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
                                                               const core::Keypoint& keypoint) const;
-  [[nodiscard]] Tracking find(const TrackedImage& view) const;
+  [[nodiscard]] PosePrior expected(const TrackedImage& view) const;
+  [[nodiscard]] Tracking find(TrackedImage& view) const;
+  [[nodiscard]] Tracking findNear(TrackedImage& view, const PosePrior& expected) const;
   [[nodiscard]] bool isWithinReach(const TrackedImage& view, const Tracking& tracking) const;
+  Tracking rectify(TrackedImage& view, const Tracking& tracking);
   OdometryResult accept(const TrackedImage& view, const Tracking& tracking);
   OdometryResult lose(const TrackedImage& view, const Tracking& tracking, const Placement& placeAnew);
   void beginSubmap();
@@ -92,14 +112,17 @@ class Odometry::Tracker {
   const OdometryOptions options_;
   LocalMap map_;
   PoseTracker poseTracker_;
+  DepthAnchor anchor_;
+  ConstantVelocity velocity_;
+  RollingShutter shutter_;
 
   State state_ = State::Initialising;
   bool hasStarted_ = false;
   std::uint64_t frame_ = 0;
   double lastTracked_s_ = 0.0;
   Eigen::Isometry3d T_cam_map_ = Eigen::Isometry3d::Identity();
-  Eigen::Isometry3d T_cam_previous_ = Eigen::Isometry3d::Identity();  ///< Motion of the last frame.
-  std::vector<PointId> lastSeen_;                                     ///< Points found in the last tracked frame.
+  PoseCovariance covariance_ = PoseCovariance::Zero();  ///< Of T_cam_map_, in the camera's frame.
+  std::vector<PointId> lastSeen_;                       ///< Points found in the last frame that showed enough.
   /// Where motion priors lead from the last tracked frame; nothing where one was missing.
   std::optional<PosePrior> predicted_;
   std::uint64_t framesSincePose_ = 0;
@@ -136,21 +159,44 @@ OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Pla
   hasStarted_ = true;
   framesSincePose_ = 0;
   lastTracked_s_ = view.stamp_s;
-  T_cam_previous_ = Eigen::Isometry3d::Identity();
+  velocity_.forget();
+  covariance_ = PoseCovariance::Zero();  // of a piece of its own, which begins here
+  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse());
   OdometryResult begun = result({}, insertKeyframe(view, {}, newPoints));
-  begun.covariance = PoseCovariance::Zero();  // of a piece of its own, which begins here
+  begun.covariance = covariance_;
   return begun;
 }
 
-Tracking Odometry::Tracker::find(const TrackedImage& view) const {
+PosePrior Odometry::Tracker::expected(const TrackedImage& view) const {
+  if (view.prior) return *view.prior;
+  const MotionPrior way =
+      composed({Eigen::Isometry3d::Identity(), covariance_}, velocity_.predict(view.stamp_s - lastTracked_s_));
+  return {core::rigid(way.T_previous_now.inverse() * T_cam_map_), way.covariance};
+}
+
+Tracking Odometry::Tracker::find(TrackedImage& view) const {
   if (state_ == State::Ok || view.prior) {
-    const Tracking tracking = poseTracker_.trackByMotion(
-        view, map_, lastSeen_, view.prior ? view.prior->T_cam_map : T_cam_previous_ * T_cam_map_);
-    if (poseTracker_.isGood(tracking)) return poseTracker_.trackNeighbourhood(view, map_, tracking);
+    const Tracking tracking = findNear(view, expected(view));
+    if (poseTracker_.isGood(tracking) || tracking.isHeldByDepth) return tracking;
   }
   Tracking tracking = poseTracker_.relocalise(view, map_);
   if (!isWithinReach(view, tracking)) tracking.inliers.clear();
   return tracking;
+}
+
+/// By key points; where they are few, surfaces are one more measurement of the pose, and where they are too few, the
+/// only one.
+Tracking Odometry::Tracker::findNear(TrackedImage& view, const PosePrior& expected) const {
+  const Tracking byPoints = poseTracker_.track(view, map_, lastSeen_, expected.T_cam_map);
+  if (static_cast<int>(byPoints.inliers.size()) >= options_.depth_alignment.below_inliers) return byPoints;
+  const bool isGood = poseTracker_.isGood(byPoints);
+  const auto held =
+      anchor_.hold(view.depth, view.camera, {isGood ? byPoints.T_cam_map : expected.T_cam_map, expected.covariance});
+  if (!held) return byPoints;
+  view.prior = held->pose;
+  Tracking byBoth = poseTracker_.trackBesideDepth(view, map_, lastSeen_, held->pose.T_cam_map);
+  byBoth.isGuess = byBoth.inliers.empty() && !held->isComplete;
+  return byBoth;
 }
 
 /// Who went farther begins a piece of its own, and the map asks for more before it believes that.
@@ -161,11 +207,33 @@ bool Odometry::Tracker::isWithinReach(const TrackedImage& view, const Tracking& 
   return way_m <= std::min(options.max_way_m, options.margin_m + options.max_speed_mps * since_s);
 }
 
+/// How the camera moved in this image is known only now: the same once more with that.
+Tracking Odometry::Tracker::rectify(TrackedImage& view, const Tracking& tracking) {
+  const auto noteMotion = [&](const Tracking& found) {
+    shutter_.moved(T_cam_map_ * found.T_cam_map.inverse(), view.stamp_s - lastTracked_s_);
+  };
+  if (state_ != State::Ok) {
+    shutter_.forgetMotion();
+    return tracking;
+  }
+  noteMotion(tracking);
+  view.features = shutter_.rectified(view.recorded, view.camera);
+  const Tracking again = poseTracker_.trackAgain(view, map_, tracking);
+  noteMotion(again);
+  shutter_.learn(view.stamp_s, again.T_cam_map.inverse(), view.camera, seenPoints(view, again.inliers));
+  return again;
+}
+
 OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Tracking& tracking) {
   const bool wasOk = state_ == State::Ok;
-  const PoseCovariance covariance = poseTracker_.covariance(view, map_, tracking);
-  T_cam_previous_ = wasOk ? tracking.T_cam_map * T_cam_map_.inverse() : Eigen::Isometry3d::Identity();
+  covariance_ = poseTracker_.covariance(view, map_, tracking);
+  if (wasOk) {
+    velocity_.observe(tracking.T_cam_map * T_cam_map_.inverse(), view.stamp_s - lastTracked_s_, !tracking.isGuess);
+  } else {
+    velocity_.forget();
+  }
   T_cam_map_ = tracking.T_cam_map;
+  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse());
   lastTracked_s_ = view.stamp_s;
   state_ = State::Ok;
   framesLost_ = 0;
@@ -176,12 +244,13 @@ OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Trackin
   const auto newPoints = newPointCandidates(view, tracking);
   const bool isKeyframe = needsKeyframe(view, tracking, newPoints.size());
   OdometryResult accepted = result(tracking, isKeyframe ? insertKeyframe(view, tracking, newPoints) : nullptr);
-  accepted.covariance = covariance;
+  accepted.covariance = covariance_;
   return accepted;
 }
 
 OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking& tracking, const Placement& placeAnew) {
   state_ = State::Lost;
+  shutter_.forgetMotion();
   if (++framesLost_ <= options_.max_lost_frames) {
     OdometryResult lost = result(tracking, nullptr);
     if (view.prior) {
@@ -197,6 +266,7 @@ OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking&
 /// Goes on with a fresh map where the old one was lost: what is recorded from now on can be joined to it later.
 void Odometry::Tracker::beginSubmap() {
   map_.clear();
+  anchor_.forget();
   lastSeen_.clear();
   awaited_.clear();
   state_ = State::Initialising;
@@ -205,6 +275,7 @@ void Odometry::Tracker::beginSubmap() {
 }
 
 void Odometry::Tracker::updateMap(const TrackedImage& view, const Tracking& tracking) {
+  if (tracking.isHeldByDepth) return;
   for (const PointId id : tracking.visible) map_.countVisible(id);
   const Eigen::Isometry3d T_map_cam = T_cam_map_.inverse();
   lastSeen_.clear();
@@ -281,7 +352,9 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
   result.T_keyframe_cam = lastKeyframe_.T_map_cam.inverse() * result.T_map_cam;
   result.matches = tracking.matches;
   result.inliers = static_cast<int>(tracking.inliers.size());
+  result.isHeldByDepth = tracking.isHeldByDepth;
   result.keyframe = std::move(keyframe);
+  result.readout_s = shutter_.readout_s();
   result.piece = pieces_.pieceOf(submap_);
   result.isInMap = pieces_.isMap(submap_);
   return result;
@@ -317,6 +390,8 @@ void Odometry::Tracker::moveWhatIsYounger(const Eigen::Isometry3d& correction) {
   for (AwaitedKeyframe& keyframe : awaited_) keyframe.T_map_cam = correction * keyframe.T_map_cam;
   lastKeyframe_.T_map_cam = awaited_.back().T_map_cam;
   T_cam_map_ = T_cam_map_ * correction.inverse();
+  anchor_.move(correction);
+  shutter_.move(correction);
   if (predicted_) predicted_->T_cam_map = predicted_->T_cam_map * correction.inverse();
 }
 

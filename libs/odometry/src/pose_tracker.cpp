@@ -5,6 +5,7 @@
 namespace wardslam::odometry {
 namespace {
 
+constexpr int kFewBesideDepth = 8;  // points that have a say where surfaces hold the rest
 constexpr double kElsewhere_m = 0.5;
 constexpr double kElsewhere_rad = 0.3;
 
@@ -34,15 +35,52 @@ Tracking PoseTracker::trackNeighbourhood(const TrackedImage& view, const LocalMa
   return search(view, map, map.neighbourhood(seeds), rough.T_cam_map, options_.matcher.narrow_radius_px);
 }
 
+Tracking PoseTracker::track(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
+                            const Eigen::Isometry3d& T_cam_map_predicted) const {
+  const Tracking rough = trackByMotion(view, map, lastSeen, T_cam_map_predicted);
+  return isGood(rough) ? trackNeighbourhood(view, map, rough) : rough;
+}
+
+Tracking PoseTracker::trackBesideDepth(const TrackedImage& view, const LocalMap& map,
+                                       const std::vector<PointId>& lastSeen,
+                                       const Eigen::Isometry3d& T_cam_map_held) const {
+  Tracking rough = search(view, map, map.neighbourhood(lastSeen), T_cam_map_held, options_.matcher.wide_radius_px);
+  if (isGood(rough)) return trackNeighbourhood(view, map, rough);
+  rough.isHeldByDepth = true;
+  if (static_cast<int>(rough.inliers.size()) < kFewBesideDepth) {
+    rough.T_cam_map = T_cam_map_held;
+    rough.inliers.clear();
+  }
+  return rough;
+}
+
+Tracking PoseTracker::trackAgain(const TrackedImage& view, const LocalMap& map, const Tracking& tracking) const {
+  const Tracking again = estimate(view, map, tracking.inliers, tracking.T_cam_map);
+  if (!isGood(again)) return tracking;
+  Tracking result = tracking;
+  result.T_cam_map = again.T_cam_map;
+  result.inliers = again.inliers;
+  return result;
+}
+
 Tracking PoseTracker::relocalise(const TrackedImage& view, const LocalMap& map) const {
   std::vector<DescribedPoint> points;
   for (const auto& [id, point] : map.points()) points.push_back({id, &point.descriptor});
   const auto matches = alike(view, map, matcher_.searchEverywhere(points, view.features));
-  const PoseEstimate pose = solver_.solve(observe(view, map, matches), view.camera);
-  const Tracking byLooks = estimate(view, map, matches, pose.T_cam_map);
+  const Tracking byLooks = agreeing(view, map, matches);
   if (!isGood(byLooks) || hasRival(view, map, matches, byLooks)) return refused(byLooks);
   Tracking found = trackNeighbourhood(view, map, byLooks);
   return isGood(found) && isBorneOut(view, map, found) ? found : refused(found);
+}
+
+/// What most of the matches agree on, which are wrong for the most part: the others have no say.
+Tracking PoseTracker::agreeing(const TrackedImage& view, const LocalMap& map, const std::vector<Match>& matches) const {
+  const PoseEstimate pose = solver_.solve(observe(view, map, matches), view.camera);
+  Tracking found{pose.T_cam_map, {}, {}, static_cast<int>(matches.size())};
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (pose.isInlier[i]) found.inliers.push_back(matches[i]);
+  }
+  return found;
 }
 
 /// Whether what does not fit this pose fits another one nearly as well.
@@ -85,7 +123,7 @@ Tracking PoseTracker::search(const TrackedImage& view, const LocalMap& map, cons
     const auto projected = project(id, *point, view.camera, T_cam_map);
     if (!projected) continue;
     projections.push_back(*projected);
-    visible.push_back(id);
+    if (maySee(view.depth, projected->raw_px, projected->depth_m, view.camera.depthNoise)) visible.push_back(id);
   }
   const auto matches = alike(view, map, matcher_.searchNear(projections, view.features, view.grid, radius_px));
   Tracking tracking = estimate(view, map, matches, T_cam_map);

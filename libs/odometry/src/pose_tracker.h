@@ -18,11 +18,12 @@ namespace wardslam::odometry {
 struct TrackedImage {
   double stamp_s;
   const core::CameraModel& camera;
-  const core::Features& features;
+  const core::Features& recorded;  ///< As the camera saw them, row after row, ...
+  core::Features features;         ///< ... and as if it had seen all at once: what tracking works with.
   const DepthImage& depth;
-  KeypointGrid grid;
   std::uint64_t frame;
   std::optional<PosePrior> prior;  ///< Where others say that the camera is.
+  KeypointGrid grid{features.keypoints, camera};
 };
 
 /// A pose and the matches it rests on.
@@ -31,6 +32,8 @@ struct Tracking {
   std::vector<Match> inliers;
   std::vector<PointId> visible;  ///< Points that should have been found.
   int matches = 0;
+  bool isHeldByDepth = false;  ///< Few points or none: what was not found is not missing.
+  bool isGuess = false;        ///< In some direction nothing was seen: it goes on as predicted.
 };
 
 /// Finds the camera's pose in one image, by what the local map says should be seen.
@@ -51,6 +54,19 @@ class PoseTracker {
   /// From a pose that is nearly right: looks for all points of the neighbourhood.
   [[nodiscard]] Tracking trackNeighbourhood(const TrackedImage& view, const LocalMap& map, const Tracking& rough) const;
 
+  /// As both of these, one after the other; what the first finds where that is too little.
+  [[nodiscard]] Tracking track(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& lastSeen,
+                               const Eigen::Isometry3d& T_cam_map_predicted) const;
+
+  /// From a pose that surfaces tell: looks for the neighbourhood of the points seen last, as far as the pose may be
+  /// off.
+  [[nodiscard]] Tracking trackBesideDepth(const TrackedImage& view, const LocalMap& map,
+                                          const std::vector<PointId>& lastSeen,
+                                          const Eigen::Isometry3d& T_cam_map_held) const;
+
+  /// The pose again, by the same matches: their key points have moved a little (TrackedImage::features).
+  [[nodiscard]] Tracking trackAgain(const TrackedImage& view, const LocalMap& map, const Tracking& tracking) const;
+
   /// From nothing: by looks, which most of what should be in sight, its depth and the lack of another place like it
   /// must bear out, for one place of a hospital looks like another. Else without inliers.
   [[nodiscard]] Tracking relocalise(const TrackedImage& view, const LocalMap& map) const;
@@ -62,6 +78,8 @@ class PoseTracker {
  private:
   [[nodiscard]] Tracking search(const TrackedImage& view, const LocalMap& map, const std::vector<PointId>& points,
                                 const Eigen::Isometry3d& T_cam_map, double radius_px) const;
+  [[nodiscard]] Tracking agreeing(const TrackedImage& view, const LocalMap& map,
+                                  const std::vector<Match>& matches) const;
   [[nodiscard]] bool hasRival(const TrackedImage& view, const LocalMap& map, const std::vector<Match>& matches,
                               const Tracking& found) const;
   [[nodiscard]] bool isBorneOut(const TrackedImage& view, const LocalMap& map, const Tracking& found) const;

@@ -27,6 +27,8 @@ int quantile(const std::map<int, std::size_t>& counts, double share) {
 void RunStatistics::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   ++frames_;
   if (odometry.hasPose()) ++framesTracked_;
+  if (odometry.isHeldByDepth) ++framesHeldByDepth_;
+  readout_s_ = odometry.readout_s;
   if (odometry.keyframe) ++keyframes_;
   if (state_ == odometry::State::Ok && odometry.state == odometry::State::Lost) ++lostEvents_;
   state_ = odometry.state;

@@ -38,6 +38,11 @@ enum class InDepth : std::uint8_t {
 /// `p_cam_m`: in the view's camera frame. Allows for noise of depth, and for poses that are not exact.
 [[nodiscard]] InDepth lookUp(const DepthView& view, const core::CameraModel& camera, const Eigen::Vector3d& p_cam_m);
 
+/// Whether an image can show a surface at this pixel and depth: nothing that may move covers it, and nothing measured
+/// around it is nearer. Where nothing was measured, or of an image without depth, nobody knows: it can.
+[[nodiscard]] bool maySee(const DepthImage& image, const Eigen::Vector2d& raw_px, double depth_m,
+                          const core::DepthNoise& noise);
+
 /// Counts of surfaces, by what a view says of them.
 struct DepthAgreement {
   int agreeing = 0;

@@ -15,7 +15,9 @@ struct ProjectedPoint {
   PointId id = 0;
   const OrbDescriptor* descriptor = nullptr;
   Eigen::Vector2d undistorted_px = Eigen::Vector2d::Zero();
-  double scale = 1.0;  ///< Predicted Keypoint::scale.
+  double scale = 1.0;                                ///< Predicted Keypoint::scale.
+  Eigen::Vector2d raw_px = Eigen::Vector2d::Zero();  ///< In the image as recorded.
+  double depth_m = 0.0;
 };
 
 /// A map point by its looks alone.

@@ -20,6 +20,9 @@ struct PosePrior {
   PoseCovariance covariance = PoseCovariance::Identity();  ///< As that of MotionPrior, in that camera's frame.
 };
 
+/// Standard deviation (m) of the axis whose translation is least sure.
+[[nodiscard]] double worstSigma_m(const PoseCovariance& covariance);
+
 /// What a covariance of frame a (as in MotionPrior) is in frame b, both fixed to one body.
 [[nodiscard]] PoseCovariance transformed(const PoseCovariance& ofA, const Eigen::Isometry3d& T_a_b);
 

@@ -34,7 +34,10 @@ struct OdometryResult {
   Eigen::Isometry3d T_keyframe_cam = Eigen::Isometry3d::Identity();
   int matches = 0;                           ///< Map points found in the image.
   int inliers = 0;                           ///< Of these, the ones the pose rests on.
+  bool isHeldByDepth = false;                ///< Too few points were found: surfaces alone say where the camera is.
   std::shared_ptr<const Keyframe> keyframe;  ///< Set when new points were added to the local map.
+  /// How long the camera takes to read an image from its first row to its last, as far as found out by now.
+  double readout_s = 0.0;
   /// Which piece of the map the pose is in, as far as known by now. Poses of two pieces have nothing in common.
   std::uint32_t piece = 0;
   /// Whether that piece is the map (Pieces). If not, tracking was lost and begun anew where it took itself to be: the

@@ -90,6 +90,44 @@ struct RelocalisationOptions {
   }
 };
 
+struct RollingShutterOptions {
+  bool learn = true;
+  double readout_s = 0.0;
+  double readout_sigma_s = 0.015;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("learn", self.learn, "from turns of the camera how long it takes to read an image, row by row");
+    visit("readout", self.readout_s, {-0.05, 0.05}, "s",
+          "from the first row to the last, as far as known before; 0 = all at once, negative = from below");
+    visit("readout_sigma", self.readout_sigma_s, {1e-6, 1.0}, "s", "standard deviation of that knowledge");
+  }
+};
+
+struct DepthAlignmentOptions {
+  int below_inliers = 60;
+  double anchor_distance_m = 0.25;
+  double anchor_angle_rad = 0.25;
+  double min_overlap = 0.25;
+  double min_agreement = 0.5;
+  double max_sigma_m = 0.3;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("below_inliers", self.below_inliers, {0, 100000}, "count",
+          "matched points: with fewer, the surfaces of depth images help, and hold the pose alone where there are too "
+          "few");
+    visit("anchor_distance", self.anchor_distance_m, {0.01, 5.0}, "m", "between images that others are aligned to");
+    visit("anchor_angle", self.anchor_angle_rad, {0.01, 3.0}, "rad", "likewise");
+    visit("min_overlap", self.min_overlap, {0.0, 1.0}, "",
+          "of the surfaces that an image shows, what that image shows, too");
+    visit("min_agreement", self.min_agreement, {0.0, 1.0}, "",
+          "of the surfaces whose place it shows, what must be there: people who move are not");
+    visit("max_sigma", self.max_sigma_m, {0.001, 10.0}, "m",
+          "standard deviation of a pose; less sure is lost (along a bare corridor the last speed leads, not for long)");
+  }
+};
+
 /// YAML section `odometry:`.
 struct OdometryOptions {
   int min_initial_points = 80;
@@ -100,6 +138,8 @@ struct OdometryOptions {
   LocalMapOptions local_map;
   KeyframeOptions keyframes;
   RelocalisationOptions relocalisation;
+  DepthAlignmentOptions depth_alignment;
+  RollingShutterOptions rolling_shutter;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -112,6 +152,8 @@ struct OdometryOptions {
     visit.group("local_map", self.local_map);
     visit.group("keyframes", self.keyframes);
     visit.group("relocalisation", self.relocalisation);
+    visit.group("depth_alignment", self.depth_alignment);
+    visit.group("rolling_shutter", self.rolling_shutter);
   }
 };
 

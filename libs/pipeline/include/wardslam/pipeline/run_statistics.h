@@ -30,7 +30,9 @@ class RunStatistics : public FrameObserver {
   [[nodiscard]] std::size_t framesTracked() const { return framesTracked_; }
   [[nodiscard]] double coverage() const;  ///< Share of the frames with a pose; 0 without frames.
   [[nodiscard]] std::size_t lostEvents() const { return lostEvents_; }  ///< Times tracking went from ok to lost.
+  [[nodiscard]] std::size_t framesHeldByDepth() const { return framesHeldByDepth_; }  ///< With too few key points.
   [[nodiscard]] std::size_t keyframes() const { return keyframes_; }
+  [[nodiscard]] double readout_s() const { return readout_s_; }  ///< OdometryResult::readout_s, the last.
   [[nodiscard]] double dynamicKeypointFraction() const;  ///< Over all frames; 0 without key points.
   [[nodiscard]] const core::EventCounts& events() const { return events_; }
   [[nodiscard]] MaskAge maskAge() const;
@@ -40,6 +42,8 @@ class RunStatistics : public FrameObserver {
   std::size_t unusableFrames_ = 0;
   std::size_t framesTracked_ = 0;
   std::size_t lostEvents_ = 0;
+  std::size_t framesHeldByDepth_ = 0;
+  double readout_s_ = 0.0;
   std::size_t keyframes_ = 0;
   std::size_t keypoints_ = 0;
   std::size_t dynamicKeypoints_ = 0;

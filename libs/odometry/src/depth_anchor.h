@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "depth_alignment.h"
+#include "wardslam/odometry/odometry_options.h"
+
+namespace wardslam::odometry {
+
+/// A pose that surfaces tell.
+struct HeldPose {
+  PosePrior pose;
+  bool isComplete = true;  ///< Else some directions are open, and as predicted.
+};
+
+/// An image not long ago whose surfaces hold the pose where key points do not: in the dark, in fast turns, between bare
+/// walls, in a crowd.
+class DepthAnchor {
+ public:
+  explicit DepthAnchor(const DepthAlignmentOptions& options) : options_(options) {}
+
+  /// Of an image whose pose is known; kept once the camera has moved on from the one before.
+  void remember(const DepthImage& depth, const core::CameraModel& camera, const Eigen::Isometry3d& T_map_cam);
+  void forget() { image_.reset(); }
+  void move(const Eigen::Isometry3d& correction);
+
+  /// Where the camera is by what its image and the remembered one both show, along open directions where it was
+  /// predicted. Nothing where they do not show enough, do not fit, or the pose would be a guess.
+  [[nodiscard]] std::optional<HeldPose> hold(const DepthImage& depth, const core::CameraModel& camera,
+                                             const PosePrior& predicted) const;
+
+ private:
+  struct Image {
+    DepthSurface surface;
+    Eigen::Isometry3d T_map_cam;
+  };
+  [[nodiscard]] bool isNear(const Eigen::Isometry3d& T_map_cam) const;
+
+  const DepthAlignmentOptions& options_;
+  std::optional<Image> image_;
+};
+
+}  // namespace wardslam::odometry

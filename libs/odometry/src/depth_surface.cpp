@@ -1,0 +1,95 @@
+#include "depth_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wardslam::odometry {
+namespace {
+
+constexpr int kColumns = 160;
+constexpr int kReach = 2;            // squares to the points a normal is made of
+constexpr double kEdge_m = 0.02;     // what depth may differ by on a slanted surface, within a square, ...
+constexpr double kEdgeShare = 0.02;  // ... the more the farther away, ...
+constexpr double kEdgeSigmas = 4.0;  // ... besides noise
+constexpr double kMinPixels = 0.5;   // of a square
+
+float edge_m(float depth_m, const core::DepthNoise& noise) {
+  const auto z_m = static_cast<double>(depth_m);
+  return static_cast<float>(kEdge_m + kEdgeShare * z_m + kEdgeSigmas * noise.sigma_m(z_m));
+}
+
+bool isCovered(const DepthImage& image, const cv::Rect& square) {
+  if (image.mayMove.size() != image.depth_m.size()) return false;
+  return cv::countNonZero(image.mayMove(square)) > 0;
+}
+
+/// Mean depth of a square (m); 0 where it is not one surface.
+float depthOf(const DepthImage& image, const cv::Rect& square, const core::DepthNoise& noise) {
+  float sum_m = 0.0F;
+  float nearest_m = 0.0F;
+  float farthest_m = 0.0F;
+  int measured = 0;
+  for (int y = square.y; y < square.y + square.height; ++y) {
+    const auto* depth_m = image.depth_m.ptr<float>(y);
+    for (int x = square.x; x < square.x + square.width; ++x) {
+      if (!(depth_m[x] > 0.0F)) continue;
+      nearest_m = measured == 0 ? depth_m[x] : std::min(nearest_m, depth_m[x]);
+      farthest_m = std::max(farthest_m, depth_m[x]);
+      sum_m += depth_m[x];
+      ++measured;
+    }
+  }
+  const bool isOne = measured >= kMinPixels * square.area() && farthest_m - nearest_m < edge_m(nearest_m, noise);
+  return isOne ? sum_m / static_cast<float>(measured) : 0.0F;
+}
+
+}  // namespace
+
+DepthSurface::DepthSurface(const DepthImage& image, const core::CameraModel& camera) : camera_(camera) {
+  if (image.depth_m.empty()) return;
+  square_px_ = std::max(1, image.depth_m.cols / kColumns);
+  columns_ = image.depth_m.cols / square_px_;
+  rows_ = image.depth_m.rows / square_px_;
+  std::vector<cv::Point2f> centres_px;
+  std::vector<float> depths_m;
+  const float half_px = 0.5F * static_cast<float>(square_px_ - 1);
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      const cv::Rect square(column * square_px_, row * square_px_, square_px_, square_px_);
+      depths_m.push_back(isCovered(image, square) ? 0.0F : depthOf(image, square, camera.depthNoise));
+      centres_px.emplace_back(static_cast<float>(square.x) + half_px, static_cast<float>(square.y) + half_px);
+    }
+  }
+  const auto undistorted_px = camera.undistort(centres_px);
+  points_.reserve(depths_m.size());
+  for (std::size_t i = 0; i < depths_m.size(); ++i) {
+    const Eigen::Vector2d px(undistorted_px[i].x, undistorted_px[i].y);
+    points_.push_back(camera.unproject(px, static_cast<double>(depths_m[i])).cast<float>());
+  }
+}
+
+Eigen::Vector3f DepthSurface::normal(int column, int row) const {
+  const Eigen::Vector3f none = Eigen::Vector3f::Zero();
+  if (column < kReach || row < kReach || column >= columns_ - kReach || row >= rows_ - kReach) return none;
+  const Eigen::Vector3f& here = point(column, row);
+  const Eigen::Vector3f& left = point(column - kReach, row);
+  const Eigen::Vector3f& right = point(column + kReach, row);
+  const Eigen::Vector3f& above = point(column, row - kReach);
+  const Eigen::Vector3f& below = point(column, row + kReach);
+  const float limit_m = static_cast<float>(2 * kReach) * edge_m(here.z(), camera_.depthNoise);
+  for (const Eigen::Vector3f* other : {&here, &left, &right, &above, &below}) {
+    if (other->z() <= 0.0F || std::abs(other->z() - here.z()) > limit_m) return none;
+  }
+  const Eigen::Vector3f across = (below - above).cross(right - left);
+  return across.dot(here) > 0.0F ? Eigen::Vector3f(-across.normalized()) : across.normalized();
+}
+
+std::optional<Eigen::Vector2i> DepthSurface::squareOf(const Eigen::Vector3d& p_cam_m) const {
+  const auto raw_px = camera_.seenAt(p_cam_m);
+  if (!raw_px) return std::nullopt;
+  const Eigen::Vector2i square((raw_px->array() + 0.5).cast<int>() / square_px_);
+  if (square.x() >= columns_ || square.y() >= rows_) return std::nullopt;
+  return square;
+}
+
+}  // namespace wardslam::odometry

@@ -1,0 +1,115 @@
+#include "depth_alignment.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "odometry/rendered_planes.h"
+
+namespace wardslam::odometry {
+namespace {
+
+using test::moved;
+using test::RenderedPlanes;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+const core::CameraModel kCamera;
+const Eigen::Isometry3d kStart = Eigen::Isometry3d::Identity();
+// A tenth of a second of a hasty robot.
+const Eigen::Isometry3d kMotion = moved({0.06, -0.03, 0.08}, {0.02, 0.05, -0.01});
+
+DepthSurface surfaceOf(const DepthImage& image) { return DepthSurface(image, kCamera); }
+
+DepthAlignment alignFromStart(RenderedPlanes& planes, const Eigen::Isometry3d& motion, double sigmas = 0.0) {
+  const DepthSurface before = surfaceOf(planes.look(kStart, sigmas));
+  return alignDepth(surfaceOf(planes.look(motion, sigmas)), before, kStart);
+}
+
+/// Translation (m) and rotation vector (rad) that lead from one to the other, in the frame of the first.
+Vector6 difference(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+  const Eigen::Isometry3d way = from.inverse() * to;
+  const Eigen::AngleAxisd rotation(way.linear());
+  Vector6 off;
+  off << way.translation(), rotation.angle() * rotation.axis();
+  return off;
+}
+
+TEST(DepthAlignment, FindsHowTheCameraMovedInABareRoom) {
+  RenderedPlanes room(RenderedPlanes::room());
+  const DepthAlignment found = alignFromStart(room, kMotion);
+  EXPECT_EQ(found.open, 0);
+  const Vector6 off = difference(kMotion, found.T_before_now);
+  EXPECT_LT(off.head<3>().norm(), 0.001);
+  EXPECT_LT(off.tail<3>().norm(), 0.0005);
+  EXPECT_GT(found.overlap, 0.8);
+  EXPECT_GT(found.agreement, 0.9);
+}
+
+TEST(DepthAlignment, LeavesOpenWhatACorridorDoesNotTell) {
+  RenderedPlanes corridor(RenderedPlanes::corridor());
+  const DepthAlignment found = alignFromStart(corridor, kMotion, 1.0);
+  EXPECT_EQ(found.open, 1);
+  const Eigen::Vector3d off_m = found.T_before_now.translation() - kMotion.translation();
+  EXPECT_LT(off_m.head<2>().norm(), 0.003) << "across it is sure";
+  EXPECT_LT(difference(kMotion, found.T_before_now).tail<3>().norm(), 0.002);
+  EXPECT_NEAR(found.T_before_now.translation().z(), 0.0, 0.01) << "along it is as guessed";
+  const Eigen::Vector3d along = found.T_before_now.linear().transpose() * Eigen::Vector3d::UnitZ();
+  Vector6 motion;
+  motion << along, 0, 0, 0;
+  EXPECT_LT(motion.dot(found.information * motion), 1e-3 * found.information.diagonal().head<3>().maxCoeff());
+}
+
+TEST(DepthAlignment, OneWallTellsThreeOfSix) {
+  RenderedPlanes wall({{{0, 0, 1}, 2.0}});
+  const DepthAlignment found = alignFromStart(wall, moved({0.05, 0.02, 0.04}, {0.03, 0.02, 0.04}), 1.0);
+  EXPECT_EQ(found.open, 3);
+  EXPECT_NEAR((found.T_before_now * Eigen::Vector3d::Zero()).z(), 0.04, 0.002);
+}
+
+TEST(DepthAlignment, IsAsSureAsItIsRight) {
+  // Normalised errors of 6 numbers: their squares are 6 on average if the covariance is right. Ours knows of errors
+  // that white noise does not have, so it is wider; but not without bound.
+  double sum = 0.0;
+  constexpr int kRuns = 12;
+  for (unsigned seed = 1; seed <= kRuns; ++seed) {
+    RenderedPlanes room(RenderedPlanes::room(), seed);
+    const DepthAlignment found = alignFromStart(room, kMotion, 1.0);
+    const Vector6 off = difference(found.T_before_now, kMotion);
+    sum += off.dot(found.information * off);
+  }
+  EXPECT_LT(sum / kRuns, 6.0);
+  EXPECT_GT(sum / kRuns, 0.005);
+}
+
+TEST(DepthAlignment, PassesByWhoWalksThroughTheImage) {
+  RenderedPlanes room(RenderedPlanes::room());
+  DepthImage before = room.look(kStart, 1.0);
+  DepthImage now = room.look(kMotion, 1.0);
+  before.depth_m(cv::Rect(120, 60, 140, 420)).setTo(1.6);
+  now.depth_m(cv::Rect(180, 60, 140, 420)).setTo(1.3);
+  const DepthAlignment found = alignDepth(surfaceOf(now), surfaceOf(before), kStart);
+  EXPECT_LT(difference(kMotion, found.T_before_now).head<3>().norm(), 0.005);
+}
+
+TEST(DepthAlignment, ARoomThatIsNotThisOneDoesNotAgree) {
+  RenderedPlanes room(RenderedPlanes::room());
+  RenderedPlanes shorter(RenderedPlanes::room(1.5));
+  const DepthAlignment found = alignDepth(surfaceOf(shorter.look(kStart)), surfaceOf(room.look(kStart)), kStart);
+  EXPECT_LT(found.agreement, 0.5);
+}
+
+TEST(DepthAlignment, WithoutDepthAllIsOpen) {
+  RenderedPlanes room(RenderedPlanes::room());
+  const DepthSurface seen = surfaceOf(room.look(kStart));
+  const DepthImage none{cv::Mat(480, 640, CV_32FC1, cv::Scalar(0)), {}};
+  for (const auto& found : {alignDepth(surfaceOf(none), seen, kMotion), alignDepth(seen, surfaceOf(none), kMotion),
+                            alignDepth(surfaceOf({}), seen, kMotion)}) {
+    EXPECT_EQ(found.open, 6);
+    EXPECT_TRUE(found.information.isZero());
+    EXPECT_TRUE(found.T_before_now.isApprox(kMotion));
+    EXPECT_EQ(found.overlap, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace wardslam::odometry
