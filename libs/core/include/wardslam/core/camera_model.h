@@ -58,8 +58,8 @@ struct CameraModel {
   /// Raw-image pixel of a point in the camera frame (m, z > 0), lens distortion applied.
   [[nodiscard]] Eigen::Vector2d projectDistorted(const Eigen::Vector3d& p_cam) const;
 
-  /// The same, where the camera sees it: in front of it, inside the raw image, and not beyond where the lens model folds
-  /// back (there its polynomial leads far points into the image again).
+  /// The same, where the camera sees it: in front of it, inside the raw image, and not beyond where the lens model
+  /// folds back (there its polynomial leads far points into the image again).
   [[nodiscard]] std::optional<Eigen::Vector2d> seenAt(const Eigen::Vector3d& p_cam) const;
 };
 

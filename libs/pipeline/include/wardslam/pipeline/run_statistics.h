@@ -33,7 +33,7 @@ class RunStatistics : public FrameObserver {
   [[nodiscard]] std::size_t framesHeldByDepth() const { return framesHeldByDepth_; }  ///< With too few key points.
   [[nodiscard]] std::size_t keyframes() const { return keyframes_; }
   [[nodiscard]] double readout_s() const { return readout_s_; }  ///< OdometryResult::readout_s, the last.
-  [[nodiscard]] double dynamicKeypointFraction() const;  ///< Over all frames; 0 without key points.
+  [[nodiscard]] double dynamicKeypointFraction() const;          ///< Over all frames; 0 without key points.
   [[nodiscard]] const core::EventCounts& events() const { return events_; }
   [[nodiscard]] MaskAge maskAge() const;
 

@@ -1,0 +1,1 @@
+// Nothing: its target holds the headers that nearly all tests include, parsed once (tests/CMakeLists.txt).
