@@ -1,3 +1,5 @@
+#include "depth_anchor.h"
+
 #include <gtest/gtest.h>
 
 #include "odometry/odometry_fixture.h"
@@ -10,7 +12,7 @@ using test::moved;
 using test::RenderedPlanes;
 
 /// A camera that goes ahead and turns in a room whose key points are there or not, as the test wants.
-class HeldByDepthTest : public ::testing::Test {
+class DepthAnchorTest : public ::testing::Test {
  protected:
   static Eigen::Isometry3d truth(int image) { return moved({0.01 * image, 0, 0.01 * image}, {0, 0.004 * image, 0}); }
 
@@ -25,7 +27,7 @@ class HeldByDepthTest : public ::testing::Test {
   RenderedPlanes room_{RenderedPlanes::room(5.0)};
 };
 
-TEST_F(HeldByDepthTest, TwoSecondsWithoutKeyPointsInABareRoom) {
+TEST_F(DepthAnchorTest, TwoSecondsWithoutKeyPointsInABareRoom) {
   for (int image = 0; image < 5; ++image) {
     const auto result = look(image, true, room_);
     ASSERT_TRUE(result.hasPose());
@@ -46,7 +48,7 @@ TEST_F(HeldByDepthTest, TwoSecondsWithoutKeyPointsInABareRoom) {
   EXPECT_LT(distance_m(back.T_map_cam, truth(25)), 0.01);
 }
 
-TEST_F(HeldByDepthTest, AlongABareCorridorItIsUnsureAndThenLost) {
+TEST_F(DepthAnchorTest, AlongABareCorridorItIsUnsureAndThenLost) {
   RenderedPlanes corridor(RenderedPlanes::corridor());
   for (int image = 0; image < 5; ++image) ASSERT_TRUE(look(image, true, corridor).hasPose());
   const auto first = look(5, false, corridor);
@@ -63,7 +65,7 @@ TEST_F(HeldByDepthTest, AlongABareCorridorItIsUnsureAndThenLost) {
   EXPECT_TRUE(isLost) << "nobody can say where along the corridor it is";
 }
 
-TEST_F(HeldByDepthTest, NothingHoldsACoveredLens) {
+TEST_F(DepthAnchorTest, NothingHoldsACoveredLens) {
   for (int image = 0; image < 5; ++image) ASSERT_TRUE(look(image, true, room_).hasPose());
   const DepthImage covered{cv::Mat(480, 640, CV_32FC1, cv::Scalar(0)), {}};
   EXPECT_EQ(odometry_.track(0.5, kCamera, world_.lookElsewhere(20), covered).state, State::Lost);
