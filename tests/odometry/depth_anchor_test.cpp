@@ -65,6 +65,24 @@ TEST_F(DepthAnchorTest, AlongABareCorridorItIsUnsureAndThenLost) {
   EXPECT_TRUE(isLost) << "nobody can say where along the corridor it is";
 }
 
+TEST_F(DepthAnchorTest, WheelsThatLieMakeItLessSureWithEveryImage) {
+  RenderedPlanes corridor(RenderedPlanes::corridor());
+  for (int image = 0; image < 5; ++image) ASSERT_TRUE(look(image, true, corridor).hasPose());
+  MotionPrior wheels;
+  wheels.covariance = 1e-6 * PoseCovariance::Identity();
+  wheels.T_previous_now = truth(5).inverse() * truth(6);
+  double before = 0.0;
+  for (int image = 5; image < 15; ++image) {
+    const auto result =
+        odometry_.track(image / 10.0, kCamera, world_.lookElsewhere(20), corridor.look(truth(image), 1.0), wheels);
+    ASSERT_TRUE(result.isHeldByDepth) << image;
+    const double now = worstSigma_m(*result.covariance);
+    EXPECT_GT(now, before) << image;
+    before = now;
+  }
+  EXPECT_GT(before, 0.0028) << "ten steps of a millimetre each";
+}
+
 TEST_F(DepthAnchorTest, NothingHoldsACoveredLens) {
   for (int image = 0; image < 5; ++image) ASSERT_TRUE(look(image, true, room_).hasPose());
   const DepthImage covered{cv::Mat(480, 640, CV_32FC1, cv::Scalar(0)), {}};

@@ -18,7 +18,8 @@ struct Plane {
 /// Depth of bare planes, of each pixel the nearest: no key point anywhere.
 class RenderedPlanes {
  public:
-  explicit RenderedPlanes(std::vector<Plane> planes, unsigned seed = 1) : planes_(std::move(planes)), random_(seed) {}
+  explicit RenderedPlanes(std::vector<Plane> planes, unsigned seed = 1, const core::CameraModel& camera = {})
+      : planes_(std::move(planes)), random_(seed), camera_(camera) {}
 
   /// A corridor along z, 2 m wide and 2.4 m high, without an end in sight.
   static std::vector<Plane> corridor() {
@@ -33,7 +34,7 @@ class RenderedPlanes {
 
   /// `sigmas`: of the Kinect's depth noise, pixel by pixel.
   [[nodiscard]] odometry::DepthImage look(const Eigen::Isometry3d& T_world_cam, double sigmas = 0.0) {
-    const core::CameraModel camera;
+    const core::CameraModel& camera = camera_;
     std::normal_distribution<double> normal;
     cv::Mat depth_m(camera.height_px, camera.width_px, CV_32FC1, cv::Scalar(0));
     for (int y = 0; y < depth_m.rows; ++y) {
@@ -62,6 +63,7 @@ class RenderedPlanes {
 
   std::vector<Plane> planes_;
   std::mt19937 random_;
+  core::CameraModel camera_;
 };
 
 inline Eigen::Isometry3d moved(const Eigen::Vector3d& translation_m, const Eigen::Vector3d& rotation_rad) {

@@ -11,14 +11,14 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr int kMaxRounds = 12;
-constexpr int kStep = 3;  // squares between points that are aligned
+constexpr int kMostSamples = 2000;  // points that are aligned, about
 constexpr int kMinPairs = 100;
 constexpr double kFirstLimit_m = 0.24;   // pairs farther apart are none: half of it with every round, ...
 constexpr double kLastLimit_m = 0.03;    // ... down to this, ...
 constexpr double kLimitPerMetre = 0.02;  // ... the more the farther away
 constexpr double kSameSide = 0.7;        // cosine between the normals of a pair
 constexpr double kRobustSigmas = 2.0;
-constexpr double kOpenShare = 0.01;       // of all points: so few are turned to a direction that is open
+constexpr double kSignalToNoise = 4.0;    // what noise alone could turn to a direction, times this, leaves it open
 constexpr double kPointsPerOpinion = 20;  // neighbours are wrong together: quantisation, calibration, uneven walls
 constexpr double kStill = 1e-5;           // m, and rad
 
@@ -32,6 +32,7 @@ struct Pair {
   Eigen::Vector3d normal_now;  ///< Of the surface, likewise.
   double off_m = 0.0;          ///< How far the point lies in front of the surface.
   double weight_per_m2 = 0.0;
+  double normalVariance_rad2 = 0.0;
 };
 
 struct Pairs {
@@ -52,9 +53,11 @@ double weightOf(double off_m, double variance_m2, double spread_m) {
 }
 
 std::vector<SurfacePoint> sample(const DepthSurface& surface) {
+  const int squares = surface.rows() * surface.columns();
+  const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(squares) / kMostSamples))));
   std::vector<SurfacePoint> points;
-  for (int row = 0; row < surface.rows(); row += kStep) {
-    for (int column = 0; column < surface.columns(); column += kStep) {
+  for (int row = 0; row < surface.rows(); row += step) {
+    for (int column = 0; column < surface.columns(); column += step) {
       const Eigen::Vector3f& p_m = surface.point(column, row);
       if (p_m.z() <= 0.0F) continue;
       const Eigen::Vector3f normal = surface.normal(column, row);
@@ -82,9 +85,16 @@ Pairs pairUp(const std::vector<SurfacePoint>& now, const core::DepthNoise& noise
     const double b_m = sigma_m(shown_m, normal, before.camera().depthNoise);
     const double off_m = normal.dot(p_before_m - shown_m);
     const double weight_per_m2 = weightOf(off_m, a_m * a_m + b_m * b_m, 0.5 * (limit_m - kLastLimit_m));
-    found.pairs.push_back({point.p_m, normal_now, off_m, weight_per_m2});
+    const double turned_rad = before.normalSigma_rad(shown_m, normal);
+    found.pairs.push_back({point.p_m, normal_now, off_m, weight_per_m2, turned_rad * turned_rad});
   }
   return found;
+}
+
+Eigen::Matrix3d crossProductWith(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
 }
 
 /// The normal equations of a small motion of the camera now: translation (m), rotation times the mean depth (rad m), so
@@ -92,7 +102,7 @@ Pairs pairUp(const std::vector<SurfacePoint>& now, const core::DepthNoise& noise
 struct NormalEquations {
   PoseCovariance H = PoseCovariance::Zero();
   Vector6 gradient = Vector6::Zero();
-  PoseCovariance turned = PoseCovariance::Zero();  ///< The same without weights, of one point on average.
+  PoseCovariance noise = PoseCovariance::Zero();  ///< What H would be if noise alone had turned the normals.
   double depth_m = 0.0;
 
   explicit NormalEquations(const std::vector<Pair>& pairs) {
@@ -102,7 +112,9 @@ struct NormalEquations {
       J << pair.normal_now, pair.p_now_m.cross(pair.normal_now) / depth_m;
       H += pair.weight_per_m2 * J * J.transpose();
       gradient += pair.weight_per_m2 * pair.off_m * J;
-      turned += J * J.transpose() / static_cast<double>(pairs.size());
+      Eigen::Matrix<double, 3, 6> moved;  // how the point moves
+      moved << Eigen::Matrix3d::Identity(), -crossProductWith(pair.p_now_m) / depth_m;
+      noise += pair.weight_per_m2 * pair.normalVariance_rad2 * moved.transpose() * moved;
     }
   }
 };
@@ -120,7 +132,7 @@ Step solve(const NormalEquations& equations) {
   for (int i = 0; i < 6; ++i) {
     const double value = eigen.eigenvalues()[i];
     const Vector6 direction = eigen.eigenvectors().col(i);
-    if (direction.dot(equations.turned * direction) < kOpenShare) {
+    if (value < kSignalToNoise * direction.dot(equations.noise * direction)) {
       ++step.open;
       continue;
     }

@@ -3,6 +3,25 @@
 #include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::odometry {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// What two measurements of one motion say together, each by its covariance.
+MotionPrior combined(const DepthAlignment& aligned, const MotionPrior& predicted) {
+  const Eigen::Isometry3d T_aligned_predicted = aligned.T_before_now.inverse() * predicted.T_previous_now;
+  const Eigen::AngleAxisd rotation(T_aligned_predicted.linear());
+  Vector6 toPredicted;
+  toPredicted << T_aligned_predicted.translation(), rotation.axis() * rotation.angle();
+  const PoseCovariance ofPrediction = predicted.covariance.inverse();
+  const PoseCovariance covariance = (aligned.information + ofPrediction).inverse();
+  const Vector6 way = covariance * ofPrediction * toPredicted;
+  Eigen::Isometry3d T_aligned_now(Eigen::AngleAxisd(way.tail<3>().norm(), way.tail<3>().stableNormalized()));
+  T_aligned_now.translation() = way.head<3>();
+  return {core::rigid(aligned.T_before_now * T_aligned_now), covariance};
+}
+
+}  // namespace
 
 bool DepthAnchor::isNear(const Eigen::Isometry3d& T_map_cam) const {
   if (!image_) return false;
@@ -11,10 +30,10 @@ bool DepthAnchor::isNear(const Eigen::Isometry3d& T_map_cam) const {
          Eigen::AngleAxisd(way.linear()).angle() < options_.anchor_angle_rad;
 }
 
-void DepthAnchor::remember(const DepthImage& depth, const core::CameraModel& camera,
-                           const Eigen::Isometry3d& T_map_cam) {
+void DepthAnchor::remember(const DepthImage& depth, const core::CameraModel& camera, const Eigen::Isometry3d& T_map_cam,
+                           const PoseCovariance& covariance) {
   if (depth.depth_m.empty() || isNear(T_map_cam)) return;
-  image_ = Image{DepthSurface(depth, camera), T_map_cam};
+  image_ = Image{DepthSurface(depth, camera), T_map_cam, covariance};
 }
 
 void DepthAnchor::move(const Eigen::Isometry3d& correction) {
@@ -22,15 +41,17 @@ void DepthAnchor::move(const Eigen::Isometry3d& correction) {
 }
 
 std::optional<HeldPose> DepthAnchor::hold(const DepthImage& depth, const core::CameraModel& camera,
-                                          const PosePrior& predicted) const {
+                                          const PosePrior& predicted, const Eigen::Isometry3d& T_cam_map_start) const {
   if (!image_ || depth.depth_m.empty()) return std::nullopt;
   const Eigen::Isometry3d T_anchor_map = image_->T_map_cam.inverse();
   const DepthAlignment alignment =
-      alignDepth(DepthSurface(depth, camera), image_->surface, T_anchor_map * predicted.T_cam_map.inverse());
+      alignDepth(DepthSurface(depth, camera), image_->surface, T_anchor_map * T_cam_map_start.inverse());
   if (alignment.overlap < options_.min_overlap || alignment.agreement < options_.min_agreement) return std::nullopt;
-  const PoseCovariance covariance = (alignment.information + predicted.covariance.inverse()).inverse();
-  if (!(worstSigma_m(covariance) <= options_.max_sigma_m)) return std::nullopt;
-  return HeldPose{{core::rigid(alignment.T_before_now.inverse() * T_anchor_map), covariance}, alignment.open == 0};
+  const MotionPrior fused = combined(alignment, {T_anchor_map * predicted.T_cam_map.inverse(), predicted.covariance});
+  const MotionPrior inMap = composed({Eigen::Isometry3d::Identity(), image_->covariance}, fused);
+  if (!(worstSigma_m(inMap.covariance) <= options_.max_sigma_m)) return std::nullopt;
+  const Eigen::Isometry3d T_cam_map = core::rigid(inMap.T_previous_now.inverse() * T_anchor_map);
+  return HeldPose{{T_cam_map, inMap.covariance}, alignment.open == 0};
 }
 
 }  // namespace wardslam::odometry

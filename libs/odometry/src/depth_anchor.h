@@ -20,20 +20,25 @@ class DepthAnchor {
  public:
   explicit DepthAnchor(const DepthAlignmentOptions& options) : options_(options) {}
 
-  /// Of an image whose pose is known; kept once the camera has moved on from the one before.
-  void remember(const DepthImage& depth, const core::CameraModel& camera, const Eigen::Isometry3d& T_map_cam);
+  /// Of an image whose pose is known; kept once the camera has moved on from the one before. `covariance`: of a pose
+  /// that was held itself, so that errors add up; zero where points of the map tell it.
+  void remember(const DepthImage& depth, const core::CameraModel& camera, const Eigen::Isometry3d& T_map_cam,
+                const PoseCovariance& covariance);
   void forget() { image_.reset(); }
   void move(const Eigen::Isometry3d& correction);
 
-  /// Where the camera is by what its image and the remembered one both show, along open directions where it was
-  /// predicted. Nothing where they do not show enough, do not fit, or the pose would be a guess.
+  /// Where the camera is by what its image and the remembered one both show, and by where it was predicted, each as
+  /// sure as it is: along open directions the prediction alone counts. `T_cam_map_start`: where to begin. Nothing where
+  /// they do not show enough, do not fit, or the pose would be a guess.
   [[nodiscard]] std::optional<HeldPose> hold(const DepthImage& depth, const core::CameraModel& camera,
-                                             const PosePrior& predicted) const;
+                                             const PosePrior& predicted,
+                                             const Eigen::Isometry3d& T_cam_map_start) const;
 
  private:
   struct Image {
     DepthSurface surface;
     Eigen::Isometry3d T_map_cam;
+    PoseCovariance covariance;
   };
   [[nodiscard]] bool isNear(const Eigen::Isometry3d& T_map_cam) const;
 

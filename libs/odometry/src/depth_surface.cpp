@@ -6,11 +6,13 @@
 namespace wardslam::odometry {
 namespace {
 
-constexpr int kColumns = 160;
+constexpr int kMostColumns = 160;
+constexpr int kLeastSquare_px = 4;   // smaller ones leave normals to noise
 constexpr int kReach = 2;            // squares to the points a normal is made of
 constexpr double kEdge_m = 0.02;     // what depth may differ by on a slanted surface, within a square, ...
 constexpr double kEdgeShare = 0.02;  // ... the more the farther away, ...
 constexpr double kEdgeSigmas = 4.0;  // ... besides noise
+constexpr double kAveraged = 2.0;    // what the mean over a square takes off: its pixels are wrong together in part
 constexpr double kMinPixels = 0.5;   // of a square
 
 float edge_m(float depth_m, const core::DepthNoise& noise) {
@@ -47,7 +49,7 @@ float depthOf(const DepthImage& image, const cv::Rect& square, const core::Depth
 
 DepthSurface::DepthSurface(const DepthImage& image, const core::CameraModel& camera) : camera_(camera) {
   if (image.depth_m.empty()) return;
-  square_px_ = std::max(1, image.depth_m.cols / kColumns);
+  square_px_ = std::max(kLeastSquare_px, image.depth_m.cols / kMostColumns);
   columns_ = image.depth_m.cols / square_px_;
   rows_ = image.depth_m.rows / square_px_;
   std::vector<cv::Point2f> centres_px;
@@ -82,6 +84,15 @@ Eigen::Vector3f DepthSurface::normal(int column, int row) const {
   }
   const Eigen::Vector3f across = (below - above).cross(right - left);
   return across.dot(here) > 0.0F ? Eigen::Vector3f(-across.normalized()) : across.normalized();
+}
+
+/// Across the surface depth is wrong by sigma * c, over a length of span / c, where c is the cosine between normal and
+/// ray.
+double DepthSurface::normalSigma_rad(const Eigen::Vector3d& p_cam_m, const Eigen::Vector3d& normal) const {
+  const double span_m = 2.0 * kReach * square_px_ * p_cam_m.z() / camera_.fx_px;
+  const double sigma_m = std::sqrt(2.0) * camera_.depthNoise.sigma_m(p_cam_m.z()) / kAveraged;
+  const double c = normal.dot(p_cam_m) / p_cam_m.norm();
+  return c * c * sigma_m / span_m;
 }
 
 std::optional<Eigen::Vector2i> DepthSurface::squareOf(const Eigen::Vector3d& p_cam_m) const {

@@ -25,6 +25,9 @@ class DepthSurface {
   /// Of length 1, towards the camera, from the points two squares away; zero where these are not of one surface.
   [[nodiscard]] Eigen::Vector3f normal(int column, int row) const;
 
+  /// How far noise of depth may turn the normal of such a surface (standard deviation, rad).
+  [[nodiscard]] double normalSigma_rad(const Eigen::Vector3d& p_cam_m, const Eigen::Vector3d& normal) const;
+
   /// The square that a point in the camera frame (m) falls into.
   [[nodiscard]] std::optional<Eigen::Vector2i> squareOf(const Eigen::Vector3d& p_cam_m) const;
 

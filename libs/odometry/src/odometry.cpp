@@ -16,6 +16,12 @@ namespace {
 /// Keyframes a mapper may lag behind; where there is none, memory stays bounded.
 constexpr std::size_t kMostAwaited = 256;
 
+std::vector<PointId> pointsOf(const Keyframe& keyframe) {
+  std::vector<PointId> points;
+  for (const Sighting& sighting : keyframe.sightings) points.push_back(sighting.point);
+  return points;
+}
+
 std::map<PointId, SeenPoint> seenPoints(const TrackedImage& view, const std::vector<Match>& matches) {
   std::map<PointId, SeenPoint> points;
   for (const Match& match : matches) {
@@ -122,6 +128,7 @@ class Odometry::Tracker {
   double lastTracked_s_ = 0.0;
   Eigen::Isometry3d T_cam_map_ = Eigen::Isometry3d::Identity();
   PoseCovariance covariance_ = PoseCovariance::Zero();  ///< Of T_cam_map_, in the camera's frame.
+  bool isHeld_ = false;                                 ///< By depth alone, in the last image.
   std::vector<PointId> lastSeen_;                       ///< Points found in the last frame that showed enough.
   /// Where motion priors lead from the last tracked frame; nothing where one was missing.
   std::optional<PosePrior> predicted_;
@@ -145,7 +152,8 @@ void Odometry::Tracker::predict(const std::optional<MotionPrior>& motion) {
     predicted_.reset();
     return;
   }
-  const PosePrior from = isNext ? PosePrior{T_cam_map_, PoseCovariance::Zero()} : *predicted_;
+  const PosePrior from =
+      isNext ? PosePrior{T_cam_map_, isHeld_ ? covariance_ : PoseCovariance(PoseCovariance::Zero())} : *predicted_;
   const MotionPrior way = composed({Eigen::Isometry3d::Identity(), from.covariance}, *motion);
   predicted_ = PosePrior{core::rigid(way.T_previous_now.inverse() * from.T_cam_map), way.covariance};
 }
@@ -161,7 +169,8 @@ OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Pla
   lastTracked_s_ = view.stamp_s;
   velocity_.forget();
   covariance_ = PoseCovariance::Zero();  // of a piece of its own, which begins here
-  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse());
+  isHeld_ = false;
+  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse(), covariance_);
   OdometryResult begun = result({}, insertKeyframe(view, {}, newPoints));
   begun.covariance = covariance_;
   return begun;
@@ -190,11 +199,14 @@ Tracking Odometry::Tracker::findNear(TrackedImage& view, const PosePrior& expect
   const Tracking byPoints = poseTracker_.track(view, map_, lastSeen_, expected.T_cam_map);
   if (static_cast<int>(byPoints.inliers.size()) >= options_.depth_alignment.below_inliers) return byPoints;
   const bool isGood = poseTracker_.isGood(byPoints);
-  const auto held =
-      anchor_.hold(view.depth, view.camera, {isGood ? byPoints.T_cam_map : expected.T_cam_map, expected.covariance});
+  const auto held = anchor_.hold(view.depth, view.camera, expected, isGood ? byPoints.T_cam_map : expected.T_cam_map);
   if (!held) return byPoints;
-  view.prior = held->pose;
+  const auto others = std::exchange(view.prior, held->pose);
   Tracking byBoth = poseTracker_.trackBesideDepth(view, map_, lastSeen_, held->pose.T_cam_map);
+  if (isGood && byBoth.isHeldByDepth) {  // points know better than a pose at which they are not found
+    view.prior = others;
+    return byPoints;
+  }
   byBoth.isGuess = byBoth.inliers.empty() && !held->isComplete;
   return byBoth;
 }
@@ -217,9 +229,12 @@ Tracking Odometry::Tracker::rectify(TrackedImage& view, const Tracking& tracking
     return tracking;
   }
   noteMotion(tracking);
-  view.features = shutter_.rectified(view.recorded, view.camera);
-  const Tracking again = poseTracker_.trackAgain(view, map_, tracking);
-  noteMotion(again);
+  Tracking again = tracking;
+  if (shutter_.readout_s() != 0.0) {
+    view.features = shutter_.rectified(view.recorded, view.camera);
+    again = poseTracker_.trackAgain(view, map_, tracking);
+    noteMotion(again);
+  }
   shutter_.learn(view.stamp_s, again.T_cam_map.inverse(), view.camera, seenPoints(view, again.inliers));
   return again;
 }
@@ -233,7 +248,11 @@ OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Trackin
     velocity_.forget();
   }
   T_cam_map_ = tracking.T_cam_map;
-  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse());
+  const bool isFoundAgain = !wasOk || (isHeld_ && !tracking.isHeldByDepth);
+  isHeld_ = tracking.isHeldByDepth;
+  if (isFoundAgain) anchor_.forget();  // where that stood was less sure
+  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse(),
+                   isHeld_ ? covariance_ : PoseCovariance(PoseCovariance::Zero()));
   lastTracked_s_ = view.stamp_s;
   state_ = State::Ok;
   framesLost_ = 0;
@@ -300,7 +319,7 @@ std::vector<std::size_t> Odometry::Tracker::newPointCandidates(const TrackedImag
 
 bool Odometry::Tracker::needsKeyframe(const TrackedImage& view, const Tracking& tracking, std::size_t newPoints) const {
   const KeyframeOptions& keyframes = options_.keyframes;
-  if (static_cast<int>(newPoints) < keyframes.min_new_points) return false;
+  if (static_cast<int>(newPoints) < keyframes.min_new_points || tracking.isGuess) return false;
   const bool isLate = view.frame - lastKeyframe_.frame >= static_cast<std::uint64_t>(keyframes.max_frame_gap);
   const bool hasLeft = static_cast<double>(tracking.inliers.size()) <
                        keyframes.min_tracked_fraction * static_cast<double>(lastKeyframe_.mostTracked);
@@ -336,7 +355,7 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedI
   keyframe->features.semanticDescriptors.reset();  // it may hold on to whole images
   if (!view.depth.depth_m.empty()) keyframe->depth = std::make_shared<DepthView>(makeDepthView(view.depth));
   pieces_.add(keyframe->id, submap_);
-  map_.addKeyframe(keyframe->id, lastSeen_);
+  map_.addKeyframe(keyframe->id, pointsOf(*keyframe));
   map_.cull();
   lastKeyframe_ = {keyframe->id, view.frame, T_map_cam, 0};
   awaited_.push_back({keyframe->id, T_map_cam, map_.nextId()});

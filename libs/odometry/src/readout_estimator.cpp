@@ -16,10 +16,12 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 constexpr std::size_t kImages = 4;  // two that are compared, and their neighbours, which tell how fast the camera was
 constexpr std::size_t kMinPoints = 30;
 constexpr double kLongestStep_s = 0.2;
+constexpr double kLeastTurn_radps = 0.3;  // slower, what is wrong with depth and lens says more than the readout
 constexpr double kLongest_s = 0.05;
 constexpr double kNearest_m = 0.1;
 constexpr double kPixelSigma_px = 1.5;
 constexpr double kTrimSigmas = 3.0;
+constexpr double kSureSigmas = 2.0;        // nearer to 0 it is 0: a global shutter is left alone
 constexpr double kPointsPerOpinion = 5.0;  // neighbours err together
 
 /// What one point says: error = ofPose * motion + ofReadout * readout, in standard deviations.
@@ -111,6 +113,8 @@ Twist ReadoutEstimator::twistAt(std::size_t image) const {
 void ReadoutEstimator::compare(std::size_t before, std::size_t now, const core::CameraModel& camera) {
   const Twist twistBefore = twistAt(before);
   const Twist twistNow = twistAt(now);
+  const double turn_radps = std::max(twistBefore.rotation_radps.norm(), twistNow.rotation_radps.norm());
+  if (turn_radps < kLeastTurn_radps) return;
   const Eigen::Isometry3d T_now_before = images_[now].T_map_cam.inverse() * images_[before].T_map_cam;
   std::vector<Row> rows;
   for (const auto& [id, there] : images_[before].points) {
@@ -138,7 +142,9 @@ void ReadoutEstimator::compare(std::size_t before, std::size_t now, const core::
 }
 
 double ReadoutEstimator::readout_s() const {
-  return std::clamp(weightedSum_per_s_ / information_per_s2_, -kLongest_s, kLongest_s);
+  const double likeliest_s = weightedSum_per_s_ / information_per_s2_;
+  if (std::abs(likeliest_s) < kSureSigmas * sigma_s()) return 0.0;
+  return std::clamp(likeliest_s, -kLongest_s, kLongest_s);
 }
 
 double ReadoutEstimator::sigma_s() const { return 1.0 / std::sqrt(information_per_s2_); }
