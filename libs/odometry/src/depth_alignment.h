@@ -20,7 +20,8 @@ struct DepthAlignment {
 
 /// Point-to-plane alignment of `now` to `before`, by projection; each pair weighs by the noise of both depths across
 /// the surface. Directions to which surfaces are turned no more than noise could turn them are found from the normal
-/// equations and left as guessed (Zhang, Kaess, Singh: "On degeneracy of optimization-based state estimation problems", ICRA 2016).
+/// equations and left as guessed (Zhang, Kaess, Singh: "On degeneracy of optimization-based state estimation problems",
+/// ICRA 2016).
 [[nodiscard]] DepthAlignment alignDepth(const DepthSurface& now, const DepthSurface& before,
                                         const Eigen::Isometry3d& T_before_now_guess);
 
