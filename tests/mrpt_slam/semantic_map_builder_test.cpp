@@ -64,11 +64,12 @@ class SemanticMapBuilderTest : public ::testing::Test {
     scan->sensorLabel = "RGBD";
     return scan;
   }
-  /// Nothing to hold on to.
-  [[nodiscard]] CObservation3DRangeScan::Ptr darkScan(int image) const {
-    auto dark = scan(image);
-    dark->intensityImage = mrpt::img::CImage(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(20)), mrpt::img::DEEP_COPY);
-    return dark;
+  /// Nothing to hold on to, nor any depth.
+  [[nodiscard]] CObservation3DRangeScan::Ptr coveredScan(int image) const {
+    auto covered = scan(image);
+    covered->intensityImage = mrpt::img::CImage(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(20)), mrpt::img::DEEP_COPY);
+    covered->rangeImage.setZero();
+    return covered;
   }
   void processUntil(int images) {
     for (int image = 0; image < images; ++image) builder_.processObservation(scan(image));
@@ -138,14 +139,14 @@ TEST_F(SemanticMapBuilderTest, WhereNothingIsSeenTheActionLeads) {
   builder_.initialize();
   processUntil(5);
   const CPose3DPDFGaussian before = pose();
-  process(actionBy({0.1, 0.02, 0.05}, 0.03), darkScan(5));
+  process(actionBy({0.1, 0.02, 0.05}, 0.03), coveredScan(5));
   const CPose3DPDFGaussian led = pose();
   const auto way = led.mean - before.mean;
   EXPECT_NEAR(way.x(), 0.1, 1e-6);
   EXPECT_NEAR(way.y(), 0.02, 1e-6);
   EXPECT_NEAR(way.yaw(), 0.05, 1e-6);
   EXPECT_NEAR(std::sqrt(led.cov(3, 3)), 0.03, 0.003) << "as sure as the action, the camera is where the base is";
-  process(actionBy({0.1, 0.0, 0.0}, 0.03), darkScan(6));
+  process(actionBy({0.1, 0.0, 0.0}, 0.03), coveredScan(6));
   EXPECT_NEAR((pose().mean - led.mean).x(), 0.1, 1e-6);
   EXPECT_GT(pose().cov(3, 3), 1.9 * 0.03 * 0.03) << "two errors add up";
 }
@@ -154,7 +155,7 @@ TEST_F(SemanticMapBuilderTest, WithoutActionsALostRobotIsWhereItWasButUnsure) {
   builder_.initialize();
   processUntil(5);
   const CPose3DPDFGaussian before = pose();
-  builder_.processObservation(darkScan(5));
+  builder_.processObservation(coveredScan(5));
   EXPECT_LT((pose().mean - before.mean).norm(), 1e-9);
   EXPECT_NEAR(std::sqrt(pose().cov(0, 0)), 0.5 + 2.0 / 32.0, 1e-6) << "half a metre, and 2 m/s for 1/32 s";
 }
@@ -171,7 +172,7 @@ TEST_F(SemanticMapBuilderTest, AnActionOfEachObservationWithoutAnImageAddsUp) {
     builder_.processActionObservation(actions, noImage);
   }
   const CPose3DPDFGaussian before = pose();
-  process(actionBy({0.05, 0.0, 0.0}, 0.02), darkScan(3));
+  process(actionBy({0.05, 0.0, 0.0}, 0.02), coveredScan(3));
   EXPECT_NEAR((pose().mean - before.mean).x(), 0.15, 1e-6);
 }
 
@@ -182,7 +183,7 @@ TEST_F(SemanticMapBuilderTest, AnImageThatCannotBeUsedIsLeftOutAndItsMotionIsNot
   broken->hasIntensityImage = false;
   const CPose3DPDFGaussian before = pose();
   EXPECT_THROW(process(actionBy({0.05, 0.0, 0.0}, 0.02), broken), core::FrameError);
-  process(actionBy({0.05, 0.0, 0.0}, 0.02), darkScan(4));
+  process(actionBy({0.05, 0.0, 0.0}, 0.02), coveredScan(4));
   EXPECT_NEAR((pose().mean - before.mean).x(), 0.1, 1e-6);
 }
 
@@ -351,7 +352,7 @@ TEST_F(SemanticMapBuilderTest, WithoutAMapThereIsNothingToSee) {
 TEST_F(SemanticMapBuilderTest, OfSeveralCamerasOneIsTracked) {
   builder_.initialize();
   for (int image = 0; image < 3; ++image) {
-    auto other = darkScan(image);
+    auto other = coveredScan(image);
     other->sensorLabel = "OTHER";
     builder_.processObservation(scan(image));
     builder_.processObservation(other);
