@@ -9,7 +9,7 @@
 #include "wardslam/evaluation/absolute_trajectory_error.h"
 #include "wardslam/exchange/tum_trajectory.h"
 
-/// Two wards that are equal to the vertex, and the corridor between them, at a rate at which tracking is lost on the
+/// Two wards that are equal to the vertex, and the corridor between them; a hand covers the lens twice on the
 /// way.
 namespace wardslam::gates {
 namespace {
@@ -27,8 +27,9 @@ class EqualWards : public ::testing::Test {
     fs::remove_all(folder());
     fs::create_directories(folder());
     std::ofstream(folder() / "small.yaml") << "features: {key_points: 700}\nmapping: {enabled: false}\n";
-    rendering_ = render(folder() / "wards.rawlog", {"--scene", "hospital", "--route", "wards", "--people", "none",
-                                                    "--seed", "2", "--rate", "4", "--seconds", "80"});
+    rendering_ = render(folder() / "wards.rawlog",
+                        {"--scene", "hospital", "--route", "wards", "--people", "none", "--cover", "25:4.5", "--cover",
+                         "52:4.5", "--seed", "2", "--rate", "4", "--seconds", "80"});
   }
   static void TearDownTestSuite() { fs::remove_all(folder()); }
 

@@ -51,7 +51,8 @@ std::optional<Eigen::Vector2d> CameraModel::seenAt(const Eigen::Vector3d& p_cam)
   const double r2 = (p_cam.head<2>() / p_cam.z()).squaredNorm();
   if (hasDistortion() && foldsWithin(r2, *this)) return std::nullopt;
   const Eigen::Vector2d raw_px = hasDistortion() ? projectDistorted(p_cam) : project(p_cam);
-  const bool isInside = raw_px.x() >= 0 && raw_px.x() <= width_px - 1 && raw_px.y() >= 0 && raw_px.y() <= height_px - 1;
+  const bool isInside =
+      raw_px.x() > -0.5 && raw_px.x() < width_px - 0.5 && raw_px.y() > -0.5 && raw_px.y() < height_px - 0.5;
   return isInside ? std::optional(raw_px) : std::nullopt;
 }
 
