@@ -126,6 +126,7 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   if (odometry.keyframe) {
     const auto insertion = profiler.measure("graph.insert");
     insert(odometry.keyframe);
+    if (canWait_) askInTurn(graphBuilding_, [](graph::Mapper&) { return true; });  // tracking goes on with what it says
   }
   graphBuilding_.rethrowFailure();
   const auto updates = takeOverUpdates();
