@@ -5,6 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "cross_product.h"
+#include "twist.h"
+
 namespace wardslam::odometry {
 namespace {
 
@@ -91,12 +94,6 @@ Pairs pairUp(const std::vector<SurfacePoint>& now, const core::DepthNoise& noise
   return found;
 }
 
-Eigen::Matrix3d crossProductWith(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
 /// The normal equations of a small motion of the camera now: translation (m), rotation times the mean depth (rad m), so
 /// that all six have one unit.
 struct NormalEquations {
@@ -142,14 +139,6 @@ Step solve(const NormalEquations& equations) {
   return step;
 }
 
-Eigen::Isometry3d toIsometry(const Vector6& motion) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  const double angle_rad = motion.tail<3>().norm();
-  if (angle_rad > 0.0) T.linear() = Eigen::AngleAxisd(angle_rad, motion.tail<3>() / angle_rad).toRotationMatrix();
-  T.translation() = motion.head<3>();
-  return T;
-}
-
 }  // namespace
 
 DepthAlignment alignDepth(const DepthSurface& now, const DepthSurface& before,
@@ -166,7 +155,7 @@ DepthAlignment alignDepth(const DepthSurface& now, const DepthSurface& before,
     Vector6 units;
     units << 1.0, 1.0, 1.0, equations.depth_m, equations.depth_m, equations.depth_m;
     const Vector6 motion = step.motion.cwiseQuotient(units);
-    alignment.T_before_now = alignment.T_before_now * toIsometry(motion);
+    alignment.T_before_now = alignment.T_before_now * after({motion.head<3>(), motion.tail<3>()}, 1.0);
     alignment.information = units.asDiagonal() * step.information * units.asDiagonal();
     alignment.open = step.open;
     alignment.overlap = static_cast<double>(found.pairs.size()) / static_cast<double>(points.size());

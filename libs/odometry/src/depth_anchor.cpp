@@ -1,5 +1,6 @@
 #include "depth_anchor.h"
 
+#include "twist.h"
 #include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::odometry {
@@ -10,15 +11,13 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// What two measurements of one motion say together, each by its covariance.
 MotionPrior combined(const DepthAlignment& aligned, const MotionPrior& predicted) {
   const Eigen::Isometry3d T_aligned_predicted = aligned.T_before_now.inverse() * predicted.T_previous_now;
-  const Eigen::AngleAxisd rotation(T_aligned_predicted.linear());
+  const Twist inOneSecond = twistOf(T_aligned_predicted, 1.0);
   Vector6 toPredicted;
-  toPredicted << T_aligned_predicted.translation(), rotation.axis() * rotation.angle();
+  toPredicted << inOneSecond.translation_mps, inOneSecond.rotation_radps;
   const PoseCovariance ofPrediction = predicted.covariance.inverse();
   const PoseCovariance covariance = (aligned.information + ofPrediction).inverse();
   const Vector6 way = covariance * ofPrediction * toPredicted;
-  Eigen::Isometry3d T_aligned_now(Eigen::AngleAxisd(way.tail<3>().norm(), way.tail<3>().stableNormalized()));
-  T_aligned_now.translation() = way.head<3>();
-  return {core::rigid(aligned.T_before_now * T_aligned_now), covariance};
+  return {core::rigid(aligned.T_before_now * after({way.head<3>(), way.tail<3>()}, 1.0)), covariance};
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "wardslam/odometry/motion_prior.h"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
+#include "cross_product.h"
 #include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::odometry {
@@ -10,12 +12,9 @@ namespace {
 /// How a small motion (translation, rotation vector) of frame a looks in frame b of the same body.
 PoseCovariance adjoint(const Eigen::Isometry3d& T_b_a) {
   const Eigen::Matrix3d R = T_b_a.linear();
-  const Eigen::Vector3d t = T_b_a.translation();
-  Eigen::Matrix3d cross;
-  cross << 0.0, -t.z(), t.y(), t.z(), 0.0, -t.x(), -t.y(), t.x(), 0.0;
   PoseCovariance adjoint = PoseCovariance::Zero();
   adjoint.topLeftCorner<3, 3>() = R;
-  adjoint.topRightCorner<3, 3>() = cross * R;
+  adjoint.topRightCorner<3, 3>() = crossProductWith(T_b_a.translation()) * R;
   adjoint.bottomRightCorner<3, 3>() = R;
   return adjoint;
 }

@@ -94,6 +94,11 @@ class Odometry::Tracker {
     PointId nextPoint = 0;  ///< Points from here on are younger.
   };
 
+  /// Of the last pose, where errors add up; a pose that points of the map tell begins anew.
+  [[nodiscard]] PoseCovariance covarianceIfHeld() const {
+    if (isHeld_) return covariance_;
+    return PoseCovariance::Zero();
+  }
   void predict(const std::optional<MotionPrior>& motion);
   OdometryResult initialise(const TrackedImage& view, const Placement& placeAnew);
   [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
@@ -152,8 +157,7 @@ void Odometry::Tracker::predict(const std::optional<MotionPrior>& motion) {
     predicted_.reset();
     return;
   }
-  const PosePrior from =
-      isNext ? PosePrior{T_cam_map_, isHeld_ ? covariance_ : PoseCovariance(PoseCovariance::Zero())} : *predicted_;
+  const PosePrior from = isNext ? PosePrior{T_cam_map_, covarianceIfHeld()} : *predicted_;
   const MotionPrior way = composed({Eigen::Isometry3d::Identity(), from.covariance}, *motion);
   predicted_ = PosePrior{core::rigid(way.T_previous_now.inverse() * from.T_cam_map), way.covariance};
 }
@@ -251,8 +255,7 @@ OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Trackin
   const bool isFoundAgain = !wasOk || (isHeld_ && !tracking.isHeldByDepth);
   isHeld_ = tracking.isHeldByDepth;
   if (isFoundAgain) anchor_.forget();  // where that stood was less sure
-  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse(),
-                   isHeld_ ? covariance_ : PoseCovariance(PoseCovariance::Zero()));
+  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse(), covarianceIfHeld());
   lastTracked_s_ = view.stamp_s;
   state_ = State::Ok;
   framesLost_ = 0;

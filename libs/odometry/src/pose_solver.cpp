@@ -8,6 +8,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
+#include "cross_product.h"
 #include "wardslam/odometry/observation_error.h"
 
 namespace wardslam::odometry {
@@ -99,8 +100,7 @@ Eigen::Matrix<double, 3, 6> jacobian(const PointObservation& observation, const 
       0.0, 0.0, keypoint.hasDepth() ? 1.0 / (options.depth_sigma_scale * camera.depthNoise.sigma_m(depth_m)) : 0.0;
   Eigen::Matrix<double, 3, 6> ofPose;
   ofPose.leftCols<3>() = -Eigen::Matrix3d::Identity();
-  ofPose.rightCols<3>() << 0.0, -p_cam_m.z(), p_cam_m.y(), p_cam_m.z(), 0.0, -p_cam_m.x(), -p_cam_m.y(), p_cam_m.x(),
-      0.0;
+  ofPose.rightCols<3>() = crossProductWith(p_cam_m);
   return ofPoint * ofPose;
 }
 

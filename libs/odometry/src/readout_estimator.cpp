@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "cross_product.h"
+
 namespace wardslam::odometry {
 namespace {
 
@@ -15,7 +17,6 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kImages = 4;  // two that are compared, and their neighbours, which tell how fast the camera was
 constexpr std::size_t kMinPoints = 30;
-constexpr double kLongestStep_s = 0.2;
 constexpr double kLeastTurn_radps = 0.3;  // slower, what is wrong with depth and lens says more than the readout
 constexpr double kLongest_s = 0.05;
 constexpr double kNearest_m = 0.1;
@@ -30,12 +31,6 @@ struct Row {
   Eigen::Vector2d ofReadout;
   Eigen::Vector2d error;
 };
-
-Eigen::Matrix3d crossProductWith(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
 
 Eigen::Matrix<double, 2, 3> projectionJacobian(const Eigen::Vector3d& p_m, const core::CameraModel& camera) {
   Eigen::Matrix<double, 2, 3> J;

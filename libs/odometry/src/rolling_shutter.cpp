@@ -6,7 +6,6 @@ namespace wardslam::odometry {
 namespace {
 
 constexpr double kNearest_m = 0.05;
-constexpr double kLongestStep_s = 0.2;  // between images, for the motion between them to tell that within one
 
 }  // namespace
 

@@ -10,6 +10,9 @@ struct Twist {
   Eigen::Vector3d rotation_radps = Eigen::Vector3d::Zero();  ///< Axis times speed.
 };
 
+/// Images farther apart do not tell how fast a camera is within one.
+inline constexpr double kLongestStep_s = 0.2;
+
 /// That leads along `T_before_now` within so many seconds (not 0).
 [[nodiscard]] inline Twist twistOf(const Eigen::Isometry3d& T_before_now, double seconds) {
   const Eigen::AngleAxisd rotation(T_before_now.linear());
