@@ -10,21 +10,26 @@ namespace {
 const core::CameraModel kCamera;
 constexpr double kUnknown_s = 0.015;
 
+/// All that is in sight, as the image shows it whose middle row is read then.
+std::map<PointId, SeenPoint> look(test::RollingWorld& world, double t_s, double pixel_px) {
+  std::map<PointId, SeenPoint> points;
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    core::Keypoint keypoint;
+    if (!world.see(i, t_s, pixel_px, keypoint)) continue;
+    points[i + 1] = {{keypoint.undistorted_px.x, keypoint.undistorted_px.y},
+                     static_cast<double>(keypoint.depth_m),
+                     1.0,
+                     rowTime(static_cast<double>(keypoint.raw_px.y), kCamera)};
+  }
+  return points;
+}
+
 /// Shows it `images` images of a world with this readout; poses are those of the middle rows.
 void show(ReadoutEstimator& estimator, double readout_s, int images, double pixel_px = 0.5, double rate_hz = 30.0) {
   test::RollingWorld world(readout_s);
   for (int image = 0; image < images; ++image) {
     const double t_s = image / rate_hz;
-    std::map<PointId, SeenPoint> points;
-    for (std::size_t i = 0; i < world.size(); ++i) {
-      core::Keypoint keypoint;
-      if (!world.see(i, t_s, pixel_px, keypoint)) continue;
-      points[i + 1] = {{keypoint.undistorted_px.x, keypoint.undistorted_px.y},
-                       static_cast<double>(keypoint.depth_m),
-                       1.0,
-                       rowTime(static_cast<double>(keypoint.raw_px.y), kCamera)};
-    }
-    estimator.observe(t_s, test::RollingWorld::T_world_cam(t_s), kCamera, points);
+    estimator.observe(t_s, test::RollingWorld::T_world_cam(t_s), kCamera, look(world, t_s, pixel_px));
   }
 }
 
@@ -88,22 +93,13 @@ TEST(ReadoutEstimator, ACorrectionOfTheMapIsNoMotion) {
     Eigen::Isometry3d correction = Eigen::Isometry3d::Identity();
     for (int image = 0; image < 60; ++image) {
       const double t_s = image / 30.0;
-      std::map<PointId, SeenPoint> points;
-      for (std::size_t i = 0; i < world.size(); ++i) {
-        core::Keypoint keypoint;
-        if (!world.see(i, t_s, 0.0, keypoint)) continue;
-        points[i + 1] = {{keypoint.undistorted_px.x, keypoint.undistorted_px.y},
-                         static_cast<double>(keypoint.depth_m),
-                         1.0,
-                         rowTime(static_cast<double>(keypoint.raw_px.y), kCamera)};
-      }
       if (corrects && image % 7 == 0) {
         Eigen::Isometry3d jump(Eigen::AngleAxisd(0.02, Eigen::Vector3d::UnitY()));
         jump.translation() = Eigen::Vector3d(0.05, 0.0, 0.02);
         correction = jump * correction;
         estimator.move(jump);
       }
-      estimator.observe(t_s, correction * test::RollingWorld::T_world_cam(t_s), kCamera, points);
+      estimator.observe(t_s, correction * test::RollingWorld::T_world_cam(t_s), kCamera, look(world, t_s, 0.0));
     }
     return estimator.readout_s();
   };

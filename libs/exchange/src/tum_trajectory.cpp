@@ -13,6 +13,7 @@
 
 #include "trajectory_columns.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/core/rigid_transform.h"
 #include "wardslam/core/text_lines.h"
 
 namespace wardslam::exchange {
@@ -105,8 +106,7 @@ bool isOrientation(const std::vector<double>& row, const TrajectoryColumns& colu
   constexpr double kTolerated = 0.05;
   if (columns.isMatrix) {
     const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> matrix(row.data());
-    const Eigen::Matrix3d R = matrix.leftCols<3>();
-    return R.determinant() > 0.0 && (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerated;
+    return core::isRotation(matrix.leftCols<3>(), kTolerated);
   }
   double squares = 0.0;
   for (const std::size_t column : columns.orientation) squares += row[column] * row[column];

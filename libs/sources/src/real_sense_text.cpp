@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wardslam/bags/bag_damage.h"
+#include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::sources {
 namespace {
@@ -80,7 +81,7 @@ Eigen::Isometry3d realSensePlace(const std::string& text) {
   const std::vector<double> translation_m = values.numbers("translation");
   if (rotation.size() != 9 || translation_m.size() != 3) fail(text);
   const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix3d>(rotation.data());
-  if (!(R.determinant() > 0.0) || !((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerated)) fail(text);
+  if (!core::isRotation(R, kTolerated)) fail(text);
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() = Eigen::Quaterniond(R).normalized().toRotationMatrix();
   T.translation() = Eigen::Map<const Eigen::Vector3d>(translation_m.data());

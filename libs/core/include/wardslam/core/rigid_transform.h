@@ -14,4 +14,9 @@ namespace wardslam::core {
   return nearest;
 }
 
+/// Whether a matrix that somebody wrote down is a rotation, but for the digits left out.
+[[nodiscard]] inline bool isRotation(const Eigen::Matrix3d& R, double tolerance) {
+  return R.determinant() > 0.0 && (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < tolerance;
+}
+
 }  // namespace wardslam::core
