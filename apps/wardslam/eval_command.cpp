@@ -1,6 +1,7 @@
 #include "eval_command.h"
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include "evaluated_trajectories.h"
+#include "support/told_at_once.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/evaluation/absolute_trajectory_error.h"
 #include "wardslam/evaluation/coverage.h"
@@ -51,8 +53,29 @@ std::pair<double, double> recordingSpan(const std::filesystem::path& groundTruth
   return {stamps_s.front(), stamps_s.back()};
 }
 
+bool isAboutAThousand(double ratio) { return ratio > 300.0 && ratio < 3000.0; }
+
+/// From one corner of the box around all positions to the opposite one.
+double extent_m(const core::Trajectory& trajectory) {
+  Eigen::AlignedBox3d box;
+  for (const core::StampedPose& pose : trajectory) box.extend(pose.T_map_cam.translation());
+  return box.diagonal().norm();
+}
+
+void tellOfMillimetres(const EvalArguments& arguments, const EvaluatedTrajectories& trajectories) {
+  const double truth_m = extent_m(trajectories.groundTruth);
+  const double estimate_m = extent_m(trajectories.estimate);
+  const bool isEstimate = isAboutAThousand(estimate_m / truth_m);
+  if (!isEstimate && !isAboutAThousand(truth_m / estimate_m)) return;
+  const auto& large = isEstimate ? arguments.trajectory : arguments.groundTruth;
+  const auto& small = isEstimate ? arguments.groundTruth : arguments.trajectory;
+  tellAtOnce(large.string() + ": is about 1000 times as large as " + small.string() +
+             "; both are taken for metres: if it is in millimetres, divide its positions by 1000");
+}
+
 Evaluation evaluate(const EvalArguments& arguments) {
   const auto trajectories = readEvaluated(arguments.groundTruth, arguments.trajectory, arguments.rate_hz);
+  tellOfMillimetres(arguments, trajectories);
   const auto& groundTruth = trajectories.groundTruth;
   const auto& trajectory = trajectories.estimate;
   const auto [begin_s, end_s] = recordingSpan(arguments.groundTruth, trajectories);

@@ -52,6 +52,18 @@ class EvalCommand : public ::testing::Test {
                                        "0.3  0   -1.3 0 0 0 0 1\n");
 };
 
+TEST_F(EvalCommand, SaysWhereOneOfBothSeemsToBeInMillimetres) {
+  const auto millimetres = write("millimetres.txt",
+                                 "0.0 1100 0 0 0 0 0 1\n0.1 -1100 0 0 0 0 0 1\n0.2 0 1300 0 0 0 0 1\n"
+                                 "0.3 0 -1300 0 0 0 0 1\n");
+  for (const auto& arguments : {std::vector{groundTruth, millimetres}, std::vector{millimetres, groundTruth}}) {
+    const auto result = eval(arguments);
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.err, HasSubstr(millimetres + ": is about 1000 times as large as " + groundTruth));
+  }
+  EXPECT_THAT(eval({groundTruth, trajectory}).err, IsEmpty());
+}
+
 TEST_F(EvalCommand, TakesNumbersOfImagesForTimeWhereOneFileHasThem) {
   const auto numbered =
       write("numbered.txt", "0  1  0 0 0 0 0 1\n1 -1  0 0 0 0 0 1\n2  0  1 0 0 0 0 1\n3  0 -1 0 0 0 0 1\n");

@@ -164,6 +164,13 @@ TEST_F(RgbdCameraFile, ReadsThatOfOpenCv) {
                   1000.0);
 }
 
+// As settings of ORB-SLAM are copied about, by parts.
+TEST_F(RgbdCameraFile, ReadsThatOfOpenCvWithoutItsFirstLine) {
+  expectTheCamera(read("Camera.fx:525.0\nCamera.fy:526.0\nCamera.cx:319.5\nCamera.cy:239.5\nCamera.width:640\n"
+                       "Camera.height:480\nDepthMapFactor:1000.0\n"),
+                  1000.0);
+}
+
 // As cv::FileStorage of today puts it, lines broken in the middle of a matrix.
 TEST_F(RgbdCameraFile, ReadsThatOfOpenCvWithBlanks) {
   const auto camera = read(

@@ -50,9 +50,7 @@ ConfigNode parse(const fs::path& file) {
                            ": is XML, of which no camera is read; write its numbers into a file of lines 'width: 640', "
                            "'height: 480', 'fx: …', 'fy: …', 'cx: …', 'cy: …', or have OpenCV write YAML");
   }
-  const bool isOpenCv = in && first == '%';
-  const bool isMarked = in && (first == 0xEF || first >= 0xFE);  // a byte order mark
-  if (!isOpenCv && !isMarked) return ConfigNode::fromFile(file);
+  if (!in) return ConfigNode::fromFile(file);  // says why not
   return ConfigNode::fromText(standardYaml(file), file);
 }
 
