@@ -26,7 +26,9 @@ function(wardslam_room room)
   install(TARGETS wardslam_${room} EXPORT ${export}
     LIBRARY DESTINATION ${WARDSLAM_LIBDIR} ARCHIVE DESTINATION ${WARDSLAM_LIBDIR})
   set_property(GLOBAL APPEND PROPERTY WARDSLAM_ROOMS ${room})
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include)  # a room that is only loaded has none
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  endif()
 endfunction()
 
 # wardslam_program(<name> [MANUAL <page>] SOURCES <files...> LIBRARIES <targets...>): an installed executable. It must

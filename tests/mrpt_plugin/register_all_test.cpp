@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <mrpt/rtti/CObject.h>
-#include <mrpt/system/os.h>
 
 #include <string>
 
@@ -18,11 +17,6 @@ TEST(RegisterAll, MakesFiltersByName) {
   registerAll();
   EXPECT_TRUE(canCreate("wardslam::filters::SemanticDynamicFilter"));
   EXPECT_TRUE(canCreate("wardslam::filters::GeometricMotionFilter"));
-}
-
-TEST(RegisterAll, TheLibraryLoadsAsAPluginOfMrpt) {
-  std::string trouble;
-  EXPECT_TRUE(mrpt::system::loadPluginModule(WARDSLAM_MRPT_PLUGIN, trouble)) << trouble;
 }
 
 }  // namespace

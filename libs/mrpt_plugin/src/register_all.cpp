@@ -2,7 +2,6 @@
 
 #include <mrpt/core/initializer.h>
 
-#include "semantic_rgbd_sensor.h"
 #include "wardslam/filters/register_filters.h"
 #include "wardslam/mrpt_plugin/observation_annotator.h"
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
@@ -14,7 +13,6 @@ void registerAll() {
   mrpt::rtti::registerClass(CLASS_ID(CObservationSemanticRGBD));
   mrpt::rtti::registerClass(CLASS_ID(ObservationAnnotator));
   mrpt::rtti::registerClass(CLASS_ID(CSemanticMap));
-  CSemanticRGBDSensor::doRegister();
   filters::registerAllFilters();
 }
 

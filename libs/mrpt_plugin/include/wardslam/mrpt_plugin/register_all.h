@@ -2,9 +2,9 @@
 
 namespace wardslam::mrpt_plugin {
 
-/// Makes every class of WardSLAM that MRPT can create by name known to MRPT's registries: observations, sensors,
-/// filters. Loading the library (libwardslam-mrpt.so) does the same; a program that links it calls this to be sure
-/// that the linker kept it. To call it again does no harm.
+/// Makes WardSLAM's classes known to MRPT's registries, that MRPT can create them by name: observations, the metric
+/// map, filters. Loading libwardslam-mrpt.so does the same, and adds the sensor; a program that links this library
+/// calls this to be sure that the linker kept it. To call it again does no harm.
 void registerAll();
 
 }  // namespace wardslam::mrpt_plugin

@@ -7,9 +7,8 @@
 #include "support/complaint.h"
 #include "wardslam/core/annotation.h"
 #include "wardslam/mrpt_plugin/observation_semantic_rgbd.h"
-#include "wardslam/mrpt_plugin/register_all.h"
 
-namespace wardslam::mrpt_plugin {
+namespace wardslam::mrpt_sensor {
 namespace {
 
 using mrpt::hwdrivers::CGenericSensor;
@@ -21,7 +20,7 @@ using ::testing::SizeIs;
 /// As rawlog-grabber makes and sets up a sensor: by name, from text.
 class SemanticSensor : public ::testing::Test {
  protected:
-  SemanticSensor() { registerAll(); }
+  SemanticSensor() { CSemanticRGBDSensor::doRegister(); }
 
   [[nodiscard]] static CGenericSensor::Ptr load(const std::string& keys, const std::string& cameraKeys = "",
                                                 const std::string& filterKeys = "") {
@@ -70,7 +69,8 @@ TEST_F(SemanticSensor, AddsCompanions) {
   sensor->initialize();
   const auto observations = grab(*sensor);
   ASSERT_THAT(observations, SizeIs(2));
-  const auto companion = std::dynamic_pointer_cast<CObservationSemanticRGBD>(observations.rbegin()->second);
+  const auto companion =
+      std::dynamic_pointer_cast<mrpt_plugin::CObservationSemanticRGBD>(observations.rbegin()->second);
   ASSERT_NE(companion, nullptr);
   EXPECT_EQ(companion->sensorLabel, "WARD_SEM");
   EXPECT_EQ(observations.begin()->first, observations.rbegin()->first);
@@ -83,7 +83,8 @@ TEST_F(SemanticSensor, SegmentsWithNothingSaid) {
     sensor->initialize();
     const auto observations = grab(*sensor);
     ASSERT_THAT(observations, SizeIs(2));
-    const auto companion = std::dynamic_pointer_cast<CObservationSemanticRGBD>(observations.rbegin()->second);
+    const auto companion =
+        std::dynamic_pointer_cast<mrpt_plugin::CObservationSemanticRGBD>(observations.rbegin()->second);
     ASSERT_NE(companion, nullptr);
     EXPECT_EQ(companion->segmentation.empty(), isOff);
   }
@@ -117,4 +118,4 @@ TEST_F(SemanticSensor, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace wardslam::mrpt_plugin
+}  // namespace wardslam::mrpt_sensor

@@ -6,7 +6,7 @@ namespace mrpt::config {
 class CConfigFileBase;
 }
 
-namespace wardslam::mrpt_plugin {
+namespace wardslam::mrpt_sensor {
 
 /// A configuration as a file, for a process that is to read it; the file goes with this object.
 class TemporaryIni {
@@ -23,4 +23,4 @@ class TemporaryIni {
   std::filesystem::path path_;
 };
 
-}  // namespace wardslam::mrpt_plugin
+}  // namespace wardslam::mrpt_sensor

@@ -11,7 +11,7 @@
 
 #include "wardslam/core/errors.h"
 
-namespace wardslam::mrpt_plugin {
+namespace wardslam::mrpt_sensor {
 namespace {
 
 std::filesystem::path makeEmptyFile() {
@@ -42,4 +42,4 @@ TemporaryIni::~TemporaryIni() {
   std::filesystem::remove(path_, ignored);
 }
 
-}  // namespace wardslam::mrpt_plugin
+}  // namespace wardslam::mrpt_sensor

@@ -14,9 +14,9 @@
 #include "wardslam/pipeline/ini_options.h"
 #include "wardslam/sources/live_sensor_source.h"
 
-IMPLEMENTS_GENERIC_SENSOR(CSemanticRGBDSensor, wardslam::mrpt_plugin)
+IMPLEMENTS_GENERIC_SENSOR(CSemanticRGBDSensor, wardslam::mrpt_sensor)
 
-namespace wardslam::mrpt_plugin {
+namespace wardslam::mrpt_sensor {
 namespace {
 
 using namespace std::chrono_literals;
@@ -82,7 +82,7 @@ class CSemanticRGBDSensor::Work {
     try {
       const auto result = frontEnd_->process(scan);
       if (!hasCompanion_) return {scan};
-      return {scan, toObservation(result.frame, frontEnd_->labelSpace())};
+      return {scan, mrpt_plugin::toObservation(result.frame, frontEnd_->labelSpace())};
     } catch (const core::FrameError& error) {
       log_.logStr(mrpt::system::LVL_WARN, error.what());
       return {};
@@ -128,4 +128,4 @@ void CSemanticRGBDSensor::doProcess() {
   appendObservations(observations);
 }
 
-}  // namespace wardslam::mrpt_plugin
+}  // namespace wardslam::mrpt_sensor

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace wardslam::mrpt_plugin {
+namespace wardslam::mrpt_sensor {
 
 /// An RGB-D camera whose scans come with what WardSLAM's filters found out: any other CGenericSensor, asked in a
 /// process of its own, and the filters behind it. For rawlog-grabber:
@@ -44,4 +44,4 @@ class CSemanticRGBDSensor : public mrpt::hwdrivers::CGenericSensor {
       "CSemanticRGBDSensor: load a configuration before initialising it";  ///< While there is no work_.
 };
 
-}  // namespace wardslam::mrpt_plugin
+}  // namespace wardslam::mrpt_sensor
