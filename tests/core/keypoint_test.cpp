@@ -19,6 +19,15 @@ Features makeFeatures(const std::vector<Motion>& motions) {
   return features;
 }
 
+TEST(DepthSigma, IsThatOfTheSensorAndOfTheDepthsAround) {
+  Keypoint keypoint;
+  keypoint.depth_m = 1.4F;
+  const DepthNoise noise{0.002, 0.001, 0.4};  // 2 mm + 1 mm at 1.4 m
+  EXPECT_NEAR(depthSigma_m(keypoint, noise), 0.003, 1e-8);
+  keypoint.depthSpread_m = 0.004F;
+  EXPECT_NEAR(depthSigma_m(keypoint, noise), 0.005, 1e-8);
+}
+
 TEST(SelectStatic, KeepsDescriptorsWithTheirKeypoints) {
   const Features kept =
       selectStatic(makeFeatures({Motion::Dynamic, Motion::Static, Motion::Dynamic, Motion::Static, Motion::Static}));

@@ -143,6 +143,24 @@ TEST(OrbExtractor, ReadsTheDepthAtTheKeypoint) {
   }
 }
 
+/// Left of x = 320 all is at 2 m, right of it at 3 m, or nothing is measured: beside the edge three of nine pixels are
+/// 1 m away (or missing), elsewhere none.
+TEST(OrbExtractor, TellsHowFarTheDepthsAroundSpread) {
+  const auto spreads = [](float right_m) {
+    cv::Mat depth_m(480, 640, CV_32FC1, cv::Scalar(2.0));
+    depth_m.colRange(320, 640).setTo(right_m);
+    int atTheEdge = 0;
+    for (const auto& keypoint : OrbExtractor({}).extract(blobs(100, 5), depth_m, {}).keypoints) {
+      const bool isAtTheEdge = std::abs(std::round(keypoint.raw_px.x) - 319.5F) < 1.0F && right_m > 0.0F;
+      EXPECT_NEAR(keypoint.depthSpread_m, isAtTheEdge ? std::sqrt(1.0F / 3.0F) : 0.0F, 1e-6F) << keypoint.raw_px;
+      atTheEdge += isAtTheEdge ? 1 : 0;
+    }
+    return atTheEdge;
+  };
+  EXPECT_GT(spreads(3.0F), 0);
+  EXPECT_EQ(spreads(0.0F), 0);
+}
+
 TEST(OrbExtractor, UndistortsAsTheCameraDoes) {
   const auto camera = distortedCamera();
   const auto features = OrbExtractor({}).extract(blobs(100, 6), noDepth(), camera);

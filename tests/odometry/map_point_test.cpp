@@ -49,6 +49,9 @@ TEST(MapPoint, FusionIsTheMeanWeightedByInformation) {
   auto point = makeMapPoint(keypoint(320, 240, 2.0F), {}, camera(), kOrigin);
   EXPECT_NEAR(point.information_per_m2(0, 0), std::pow(500 / 2.0, 2), 1e-3);
   EXPECT_NEAR(point.information_per_m2(2, 2), std::pow(1 / core::DepthNoise().sigma_m(2.0), 2), 1);
+  auto atAnEdge = keypoint(320, 240, 2.0F);
+  atAnEdge.depthSpread_m = 1.0F;
+  EXPECT_NEAR(makeMapPoint(atAnEdge, {}, camera(), kOrigin).information_per_m2(2, 2), 1.0, 1e-3);
 
   // Seen again from half a metre nearer, where it seems 2 cm farther and 5 px to the right.
   fuseMeasurement(point, keypoint(325, 240, 1.52F), camera(), T_map_cam({0, 0, 0.5}));

@@ -40,6 +40,9 @@ TEST(ObservationError, IsInUnitsOfTheStandardDeviation) {
   const double sigma_m = 0.0012 + 0.0019 * 1.7 * 1.7;  // at the measured 2.1 m
   EXPECT_NEAR(squared(keypoint(370, 215, 2.1F)), std::pow(0.1 / sigma_m, 2), 1e-3);
   EXPECT_NEAR(squared(keypoint(370, 215, 2.1F), 1.0, 3.0), std::pow(0.1 / sigma_m, 2) / 9, 1e-3);
+  auto atAnEdge = keypoint(370, 215, 2.1F);
+  atAnEdge.depthSpread_m = 0.1F;
+  EXPECT_NEAR(squared(atAnEdge), 0.01 / (0.01 + sigma_m * sigma_m), 1e-3);
   EXPECT_NEAR(squared(keypoint(373, 211, 2.1F)), 25 + std::pow(0.1 / sigma_m, 2), 1e-3);
 }
 

@@ -133,6 +133,19 @@ TEST_F(PoseSolverTest, CovarianceIsThatOfTheBestEstimate) {
   EXPECT_NEAR(sum / kTrials, 6.0, 2.5);
 }
 
+/// Depths around it that spread by √3 σ make the depth of a key point twice as unsure.
+TEST_F(PoseSolverTest, DepthsCountByHowFarThoseAroundSpread) {
+  auto observations = observe(150, true);
+  PoseSolverOptions unsure;
+  unsure.depth_sigma_scale = 2.0;
+  const PoseCovariance expected = PoseSolver(unsure).covariance(observations, camera_, T_cam_map_);
+  for (auto& [p_map_m, keypoint] : observations) {
+    keypoint.depthSpread_m =
+        static_cast<float>(std::sqrt(3.0) * camera_.depthNoise.sigma_m(static_cast<double>(keypoint.depth_m)));
+  }
+  EXPECT_TRUE(solver_.covariance(observations, camera_, T_cam_map_).isApprox(expected, 1e-5));
+}
+
 TEST_F(PoseSolverTest, APriorCountsByItsCovariance) {
   const auto observations = observe(150, true);
   const Eigen::Isometry3d T_visual = solver_.refine(observations, camera_, guess()).T_cam_map;

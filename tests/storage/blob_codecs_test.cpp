@@ -23,12 +23,28 @@ TEST(BlobCodecs, FeaturesComeBackToTheBit) {
     EXPECT_EQ(a.raw_px, b.raw_px);
     EXPECT_EQ(a.undistorted_px, b.undistorted_px);
     EXPECT_EQ(a.depth_m, b.depth_m);
+    EXPECT_EQ(a.depthSpread_m, b.depthSpread_m);
     EXPECT_EQ(a.angle_rad, b.angle_rad);
     EXPECT_EQ(a.response, b.response);
     EXPECT_EQ(a.scale, b.scale);
     EXPECT_EQ(b.motion, core::Motion::Static);
   }
   EXPECT_TRUE(equal(read.descriptors, features.descriptors));
+}
+
+/// One key point of the first layout: eight numbers, a descriptor.
+TEST(BlobCodecs, FeaturesOfTheFirstLayoutAreRead) {
+  core::ByteWriter out;
+  out.put(std::uint32_t{1});
+  for (const float value : {10.0F, 20.0F, 11.0F, 21.0F, 2.5F, 0.5F, 7.0F, 1.2F}) out.put(value);
+  const std::vector<std::uint8_t> descriptor(32, 9);
+  out.putBytes(descriptor.data(), descriptor.size());
+  const auto read = decodeFeatures(core::pack(core::BlobKind::Features, 1, out.bytes()));
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read.keypoints[0].depth_m, 2.5F);
+  EXPECT_EQ(read.keypoints[0].scale, 1.2F);
+  EXPECT_EQ(read.keypoints[0].depthSpread_m, 0.0F) << "nobody knows";
+  EXPECT_EQ(read.descriptors.at<std::uint8_t>(0, 31), 9);
 }
 
 TEST(BlobCodecs, TilesComeBackToTheBit) {
@@ -60,7 +76,9 @@ TEST(BlobCodecs, RefuseContentOfAnotherLength) {
   core::ByteWriter out;
   out.put(std::uint32_t{1000});
   out.put(1.0F);
-  EXPECT_THROW((void)decodeFeatures(core::pack(core::BlobKind::Features, 1, out.bytes())), core::BlobError);
+  for (const std::uint8_t version : {std::uint8_t{1}, std::uint8_t{2}}) {
+    EXPECT_THROW((void)decodeFeatures(core::pack(core::BlobKind::Features, version, out.bytes())), core::BlobError);
+  }
   EXPECT_THROW((void)decodeTile(core::pack(core::BlobKind::CloudTile, 1, out.bytes())), core::BlobError);
   EXPECT_THROW((void)decodeCells(core::pack(core::BlobKind::FloorCells, 1, out.bytes())), core::BlobError);
   EXPECT_THROW((void)decodeCells(core::pack(core::BlobKind::FloorCells, 1, {})), core::BlobError);
@@ -76,6 +94,8 @@ TEST(BlobCodecs, RefuseWhatNoCameraSees) {
   };
   refuses(&core::Keypoint::depth_m, -1.0F);
   refuses(&core::Keypoint::depth_m, nan);
+  refuses(&core::Keypoint::depthSpread_m, -1.0F);
+  refuses(&core::Keypoint::depthSpread_m, nan);
   refuses(&core::Keypoint::scale, 0.0F);
   refuses(&core::Keypoint::angle_rad, nan);
   auto features = sound;

@@ -102,6 +102,7 @@ inline std::shared_ptr<odometry::Keyframe> makeView(odometry::KeyframeId id, con
     keypoint.raw_px = {100.0F + static_cast<float>(i), 200.5F};
     keypoint.undistorted_px = {101.0F + static_cast<float>(i), 201.5F};
     keypoint.depth_m = i < 9 ? 2.0F : 0.0F;
+    keypoint.depthSpread_m = i < 9 ? 0.01F * static_cast<float>(i) : 0.0F;
     keypoint.angle_rad = 0.1F * static_cast<float>(i);
     keypoint.response = 7.0F;
     keypoint.scale = 1.2F;

@@ -60,6 +60,8 @@ Bytes pack(BlobKind kind, std::uint8_t version, const Bytes& content, int level)
   return blob;
 }
 
+std::uint8_t versionOf(const Bytes& blob) { return blob.size() < kHeaderSize ? 0 : blob[1]; }
+
 Bytes unpack(BlobKind kind, std::uint8_t version, const Bytes& blob) {
   if (blob.size() < kHeaderSize || blob[0] != static_cast<std::uint8_t>(kind)) failDamaged();
   if (blob[1] != version) {

@@ -43,8 +43,21 @@ std::vector<cv::KeyPoint> chooseEvenly(const std::vector<cv::KeyPoint>& candidat
   return chosen;
 }
 
-float depthAt(const cv::Mat& depth_m, const cv::Point2f& raw_px) {
-  return depth_m.at<float>(core::nearestPixel(raw_px, depth_m.size()));
+/// Of the depths measured around a pixel that has one, about its own.
+float spreadAround(const cv::Mat& depth_m, const cv::Point& pixel) {
+  const cv::Rect window = cv::Rect(pixel.x - 1, pixel.y - 1, 3, 3) & cv::Rect({}, depth_m.size());
+  const float here_m = depth_m.at<float>(pixel);
+  float squares_m2 = 0.0F;
+  float measured = 0.0F;
+  for (int y = window.y; y < window.br().y; ++y) {
+    for (int x = window.x; x < window.br().x; ++x) {
+      const float there_m = depth_m.at<float>(y, x);
+      if (there_m <= 0.0F) continue;
+      squares_m2 += (there_m - here_m) * (there_m - here_m);
+      ++measured;
+    }
+  }
+  return std::sqrt(squares_m2 / measured);
 }
 
 }  // namespace
@@ -69,7 +82,9 @@ core::Features OrbExtractor::extract(const cv::Mat& gray, const cv::Mat& depth_m
     core::Keypoint& keypoint = features.keypoints[i];
     keypoint.raw_px = raw_px[i];
     keypoint.undistorted_px = undistorted_px[i];
-    keypoint.depth_m = depthAt(depth_m, raw_px[i]);
+    const cv::Point pixel = core::nearestPixel(raw_px[i], depth_m.size());
+    keypoint.depth_m = depth_m.at<float>(pixel);
+    if (keypoint.hasDepth()) keypoint.depthSpread_m = spreadAround(depth_m, pixel);
     keypoint.angle_rad = chosen[i].angle * static_cast<float>(CV_PI / 180.0);
     keypoint.response = chosen[i].response;
     keypoint.scale = static_cast<float>(std::pow(options_.scale_factor, chosen[i].octave));

@@ -10,7 +10,7 @@ constexpr double kMinDepth_m = 0.1;
 Eigen::Matrix3d measurementInformation(const core::Keypoint& keypoint, const core::CameraModel& camera,
                                        const Eigen::Matrix3d& R_map_cam) {
   const double z_m = keypoint.depth_m;
-  const double sigma_z_m = camera.depthNoise.sigma_m(z_m);
+  const double sigma_z_m = core::depthSigma_m(keypoint, camera.depthNoise);
   const double sigma_xy_m = z_m / camera.fx_px * static_cast<double>(keypoint.scale);
   Eigen::Matrix3d J = Eigen::Matrix3d::Identity();  // d p_cam / d (x and y across the ray, z along the axis)
   J.col(2) = camera.unproject({keypoint.undistorted_px.x, keypoint.undistorted_px.y}, 1.0);

@@ -92,12 +92,12 @@ Eigen::Matrix<double, 3, 6> jacobian(const PointObservation& observation, const 
                                      const PoseSolverOptions& options, const Eigen::Vector3d& p_cam_m) {
   const core::Keypoint& keypoint = observation.keypoint;
   const double sigma_px = options.pixel_sigma_px * static_cast<double>(keypoint.scale);
-  const double depth_m = static_cast<double>(keypoint.depth_m);
   const double z_m = p_cam_m.z();
   Eigen::Matrix3d ofPoint;
   ofPoint << camera.fx_px / z_m / sigma_px, 0.0, -camera.fx_px * p_cam_m.x() / (z_m * z_m) / sigma_px,  //
       0.0, camera.fy_px / z_m / sigma_px, -camera.fy_px * p_cam_m.y() / (z_m * z_m) / sigma_px,         //
-      0.0, 0.0, keypoint.hasDepth() ? 1.0 / (options.depth_sigma_scale * camera.depthNoise.sigma_m(depth_m)) : 0.0;
+      0.0, 0.0,
+      keypoint.hasDepth() ? 1.0 / (options.depth_sigma_scale * core::depthSigma_m(keypoint, camera.depthNoise)) : 0.0;
   Eigen::Matrix<double, 3, 6> ofPose;
   ofPose.leftCols<3>() = -Eigen::Matrix3d::Identity();
   ofPose.rightCols<3>() = crossProductWith(p_cam_m);

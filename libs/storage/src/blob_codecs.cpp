@@ -14,7 +14,7 @@ using mapping::PointMemory;
 using mapping::SemanticPoint;
 using odometry::OrbDescriptor;
 
-constexpr std::uint8_t kFeaturesVersion = 1;
+constexpr std::uint8_t kFeaturesVersion = 2;
 constexpr std::uint8_t kTileVersion = 1;
 constexpr std::uint8_t kCellsVersion = 1;
 constexpr std::uint8_t kFanVersion = 1;
@@ -34,6 +34,12 @@ void forEachColumn(std::vector<core::Keypoint>& keypoints, const Column& column)
   column(keypoints, [](core::Keypoint& k) -> float& { return k.scale; });
 }
 constexpr std::size_t kKeypointSize = 8 * sizeof(float) + sizeof(OrbDescriptor);
+
+/// What the second version of the layout holds in front of the descriptors.
+template <class Column>
+void addedColumn(std::vector<core::Keypoint>& keypoints, const Column& column) {
+  column(keypoints, [](core::Keypoint& k) -> float& { return k.depthSpread_m; });
+}
 
 template <class Column>
 void forEachColumn(std::vector<SemanticPoint>& points, const Column& column) {
@@ -77,18 +83,26 @@ void forEachColumn(std::vector<Eigen::Vector3f>& points, const Column& column) {
   }
 }
 
+auto putting(core::ByteWriter& out) {
+  return [&out](auto& all, auto field) {
+    for (auto& record : all) out.put(field(record));
+  };
+}
+
+auto getting(core::ByteReader& in) {
+  return [&in](auto& all, auto field) {
+    for (auto& record : all) field(record) = in.get<std::decay_t<decltype(field(record))>>();
+  };
+}
+
 template <class Record>
 void putColumns(core::ByteWriter& out, std::vector<Record> records) {
-  forEachColumn(records, [&out](auto& all, auto field) {
-    for (auto& record : all) out.put(field(record));
-  });
+  forEachColumn(records, putting(out));
 }
 
 template <class Record>
 void getColumns(core::ByteReader& in, std::vector<Record>& records) {
-  forEachColumn(records, [&in](auto& all, auto field) {
-    for (auto& record : all) field(record) = in.get<std::decay_t<decltype(field(record))>>();
-  });
+  forEachColumn(records, getting(in));
 }
 
 /// What a lens, a sensor and a room have room in: anything else is damage, and would be worked with for long.
@@ -105,6 +119,7 @@ void requirePossible(const core::Keypoint& k) {
     require(std::abs(px) <= kFarthest_px, "a key point");
   }
   require(k.depth_m >= 0 && k.depth_m <= kFarthest_m, "a depth");
+  require(k.depthSpread_m >= 0 && k.depthSpread_m <= kFarthest_m, "a spread of depths");
   require(std::isfinite(k.angle_rad) && std::isfinite(k.response), "an angle");
   require(k.scale > 0 && k.scale <= kLargestScale, "a scale");
 }
@@ -125,7 +140,9 @@ void requirePossible(const PointMemory& point) {
 core::Bytes encodeFeatures(const core::Features& features) {
   core::ByteWriter out;
   out.put(static_cast<std::uint32_t>(features.size()));
-  putColumns(out, features.keypoints);
+  auto keypoints = features.keypoints;
+  putColumns(out, keypoints);
+  addedColumn(keypoints, putting(out));
   for (std::size_t i = 0; i < features.size(); ++i) {
     out.putBytes(features.descriptors.ptr(static_cast<int>(i)), sizeof(OrbDescriptor));
   }
@@ -133,11 +150,13 @@ core::Bytes encodeFeatures(const core::Features& features) {
 }
 
 core::Features decodeFeatures(const core::Bytes& blob) {
-  const core::Bytes content = core::unpack(core::BlobKind::Features, kFeaturesVersion, blob);
+  const bool isOfFirstVersion = core::versionOf(blob) == 1;
+  const core::Bytes content = core::unpack(core::BlobKind::Features, isOfFirstVersion ? 1 : kFeaturesVersion, blob);
   core::ByteReader in(content);
   core::Features features;
-  features.keypoints.resize(in.getCount(kKeypointSize));
+  features.keypoints.resize(in.getCount(kKeypointSize + (isOfFirstVersion ? 0 : sizeof(float))));
   getColumns(in, features.keypoints);
+  if (!isOfFirstVersion) addedColumn(features.keypoints, getting(in));
   for (const auto& keypoint : features.keypoints) requirePossible(keypoint);
   features.descriptors.create(static_cast<int>(features.size()), sizeof(OrbDescriptor), CV_8UC1);
   in.getBytes(features.descriptors.data, features.descriptors.total());

@@ -75,6 +75,9 @@ class ByteReader {
 /// `level`: zstd's, 1 is quickest.
 [[nodiscard]] Bytes pack(BlobKind kind, std::uint8_t version, const Bytes& content, int level = 3);
 
+/// Of the layout; 0 where it is no blob.
+[[nodiscard]] std::uint8_t versionOf(const Bytes& blob);
+
 /// The content. Throws BlobError when the blob is of another kind or version, or damaged.
 [[nodiscard]] Bytes unpack(BlobKind kind, std::uint8_t version, const Bytes& blob);
 

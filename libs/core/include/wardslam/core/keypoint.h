@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <vector>
+
+#include "wardslam/core/depth_noise.h"
 
 namespace wardslam::core {
 
@@ -16,6 +19,7 @@ struct Keypoint {
   cv::Point2f raw_px;          ///< Where it was found in the image as recorded.
   cv::Point2f undistorted_px;  ///< Where an ideal pinhole camera would have seen it.
   float depth_m = 0.0F;        ///< Depth along the optical axis; 0 = none measured.
+  float depthSpread_m = 0.0F;  ///< How far (RMS) the depths of the 3 x 3 pixels around it are from it: large at edges.
   float angle_rad = 0.0F;      ///< Gray-centroid orientation, Eq. 5 (P5): atan2(m01, m10), image axes.
   float response = 0.0F;       ///< Corner strength, comparable within one image only.
   float scale = 1.0F;          ///< Pixels of the full image per pixel of the pyramid level it was found on.
@@ -24,6 +28,11 @@ struct Keypoint {
 
   [[nodiscard]] bool hasDepth() const { return depth_m > 0.0F; }
 };
+
+/// Standard deviation of the depth of a key point: that of the sensor, and that the corner may be on the pixel beside.
+[[nodiscard]] inline double depthSigma_m(const Keypoint& keypoint, const DepthNoise& noise) {
+  return std::hypot(noise.sigma_m(static_cast<double>(keypoint.depth_m)), static_cast<double>(keypoint.depthSpread_m));
+}
 
 /// The semantic descriptor of a key point (P4): what surrounds it, as cells that are alike or differ; what they stand
 /// for is known to their maker alone.

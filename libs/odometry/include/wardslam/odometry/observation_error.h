@@ -40,7 +40,7 @@ struct ObservationError {
         measured_px(keypoint.undistorted_px.x, keypoint.undistorted_px.y),
         measuredDepth_m(static_cast<double>(keypoint.depth_m)),
         sigma_px(pixelSigma_px * static_cast<double>(keypoint.scale)),
-        sigmaDepth_m(depthSigmaScale * camera.depthNoise.sigma_m(measuredDepth_m)) {}
+        sigmaDepth_m(depthSigmaScale * core::depthSigma_m(keypoint, camera.depthNoise)) {}
 
   template <class T>
   bool operator()(const T* pose, const T* p_map, T* error) const {
