@@ -65,8 +65,23 @@ TEST(RollingShutter, DoesNothingAsLongAsNothingIsKnown) {
   }
 }
 
+TEST(RollingShutter, TakesWhatACalibrationSaysUnlessTheOptionsDo) {
+  core::CameraModel camera;
+  camera.readout_s = 0.03;
+  RollingShutter shutter(RollingShutterOptions{});
+  shutter.begin(camera);
+  EXPECT_DOUBLE_EQ(shutter.readout_s(), 0.03);
+  camera.readout_s = 0.02;
+  shutter.begin(camera);
+  EXPECT_DOUBLE_EQ(shutter.readout_s(), 0.03) << "the first camera's";
+
+  RollingShutter told(RollingShutterOptions{true, 0.025, 1e-6});
+  told.begin(camera);
+  EXPECT_DOUBLE_EQ(told.readout_s(), 0.025);
+}
+
 /// Root of the mean square of the distance from the true way of the middle rows.
-double errorOfTracking(bool learns, double readout_s, double& found_s) {
+double errorOfTracking(bool learns, double readout_s, double& found_s, const core::CameraModel& camera = kCamera) {
   test::RollingWorld world(readout_s, 2500);
   std::mt19937 random(7);
   std::vector<OrbDescriptor> descriptors(world.size());
@@ -88,7 +103,7 @@ double errorOfTracking(bool learns, double readout_s, double& found_s) {
       features.keypoints.push_back(keypoint);
       features.descriptors.push_back(cv::Mat(1, 32, CV_8UC1, descriptors[i].data()));
     }
-    const auto result = odometry.track(t_s, kCamera, features);
+    const auto result = odometry.track(t_s, camera, features);
     EXPECT_TRUE(result.hasPose()) << image;
     squares_m2 += std::pow(distance_m(result.T_map_cam, T_start.inverse() * test::RollingWorld::T_world_cam(t_s)), 2);
     found_s = result.readout_s;
@@ -103,6 +118,16 @@ TEST(RollingShutter, TrackingLearnsItAndIsTheBetterForIt) {
   const double with_m = errorOfTracking(true, 0.030, found_s);
   EXPECT_NEAR(found_s, 0.030, 0.006);
   EXPECT_LT(with_m, 0.5 * without_m);
+}
+
+TEST(RollingShutter, ToldByTheCalibrationItIsRightFromTheStart) {
+  double found_s = 0.0;
+  const double learned_m = errorOfTracking(true, 0.030, found_s);
+  core::CameraModel calibrated = kCamera;
+  calibrated.readout_s = 0.030;
+  const double told_m = errorOfTracking(true, 0.030, found_s, calibrated);
+  EXPECT_DOUBLE_EQ(found_s, 0.030) << "nothing is learned";
+  EXPECT_LT(told_m, 0.9 * learned_m);
 }
 
 TEST(RollingShutter, CostsAGlobalShutterNothing) {

@@ -256,6 +256,7 @@ TEST(ShippedCameras, AreTheOnesTumPublished) {
   EXPECT_EQ(camera1.cy_px, 255.3);
   EXPECT_EQ(camera1.k2, -0.9531);
   EXPECT_EQ(camera1.k3, 1.1633);
+  EXPECT_EQ(camera1.readout_s, 0.03055);
   EXPECT_EQ(readShipped("tum_freiburg2").color.p2, -0.0001);
   EXPECT_EQ(readShipped("tum_freiburg3").color.fy_px, 539.2);
   EXPECT_FALSE(readShipped("tum_freiburg3").color.hasDistortion());

@@ -70,6 +70,7 @@ class Odometry::Tracker {
   OdometryResult track(double stamp_s, const core::CameraModel& camera, const core::Features& features,
                        const DepthImage& depth, const std::optional<MotionPrior>& motion, const Placement& placeAnew) {
     predict(motion);
+    shutter_.begin(camera);
     TrackedImage view{stamp_s, camera, features, shutter_.rectified(features, camera), depth, frame_++, predicted_};
     if (state_ == State::Initialising) return initialise(view, placeAnew);
     const Tracking tracking = find(view);

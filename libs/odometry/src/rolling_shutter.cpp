@@ -6,6 +6,7 @@ namespace wardslam::odometry {
 namespace {
 
 constexpr double kNearest_m = 0.05;
+constexpr double kCalibrated_s = 1e-4;  // how sure a calibration is
 
 }  // namespace
 
@@ -29,7 +30,15 @@ core::Features rectified(const core::Features& features, const core::CameraModel
 }
 
 RollingShutter::RollingShutter(const RollingShutterOptions& options)
-    : learns_(options.learn), estimator_(options.readout_s, options.readout_sigma_s) {}
+    : isTold_(options.readout_s != 0.0),
+      learns_(options.learn),
+      estimator_(options.readout_s, options.readout_sigma_s) {}
+
+void RollingShutter::begin(const core::CameraModel& camera) {
+  if (std::exchange(hasBegun_, true) || isTold_ || camera.readout_s == 0.0) return;
+  estimator_ = ReadoutEstimator(camera.readout_s, kCalibrated_s);
+  learns_ = false;
+}
 
 core::Features RollingShutter::rectified(const core::Features& features, const core::CameraModel& camera) const {
   return twist_ && readout_s() != 0.0 ? odometry::rectified(features, camera, *twist_, readout_s()) : features;

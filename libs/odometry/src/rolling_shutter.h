@@ -22,6 +22,10 @@ class RollingShutter {
  public:
   explicit RollingShutter(const RollingShutterOptions& options);
 
+  /// What the calibration of the first camera says of the readout is taken, where the options say nothing, and nothing
+  /// is learned then.
+  void begin(const core::CameraModel& camera);
+
   /// Key points as if read at once, the camera moving on as it did last.
   [[nodiscard]] core::Features rectified(const core::Features& features, const core::CameraModel& camera) const;
 
@@ -39,6 +43,8 @@ class RollingShutter {
   [[nodiscard]] double readout_s() const { return estimator_.readout_s(); }
 
  private:
+  bool hasBegun_ = false;
+  bool isTold_;  ///< By the options.
   bool learns_;
   ReadoutEstimator estimator_;
   std::optional<Twist> twist_;

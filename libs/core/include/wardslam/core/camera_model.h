@@ -28,13 +28,15 @@ struct CameraModel {
   double p1 = 0.0;
   double p2 = 0.0;
   double k3 = 0.0;
-  DepthNoise depthNoise;  ///< Of the depth registered to the image.
+  DepthNoise depthNoise;   ///< Of the depth registered to the image.
+  double readout_s = 0.0;  ///< From the first row to the last, negative where read from below; 0 = not known.
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit);
 
   [[nodiscard]] bool hasDistortion() const { return k1 != 0 || k2 != 0 || p1 != 0 || p2 != 0 || k3 != 0; }
 
+  /// Whether both show the same, when they stand still.
   [[nodiscard]] bool operator==(const CameraModel& other) const {
     const auto values = [](const CameraModel& c) {
       return std::tuple(c.width_px, c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, c.p1, c.p2, c.k3);
@@ -79,6 +81,8 @@ void CameraModel::describe(Self& self, Visitor& visit) {
   visit("p1", self.p1, {-10.0, 10.0}, "", "tangential distortion");
   visit("p2", self.p2, {-10.0, 10.0}, "", "tangential distortion");
   visit("k3", self.k3, {-1000.0, 1000.0}, "", "radial distortion");
+  visit("readout", self.readout_s, {-0.05, 0.05}, "s",
+        "rolling shutter: from the first row to the last, negative = from below; 0 = not known");
   visit.group("depth_noise", self.depthNoise);
 }
 
