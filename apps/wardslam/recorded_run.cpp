@@ -273,7 +273,7 @@ class Execution {
   sources::ObservationSource& source() { return live_ ? live_->source() : *recording_; }
 
   void watch() {
-    slam_.setDepthNoise(source().depthNoise());
+    slam_.setSensorTraits(source().sensorTraits());
     slam_.addObserver(statistics_);
     slam_.addObserver(zones_);
     slam_.addObserver(folder_);

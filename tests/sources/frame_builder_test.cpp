@@ -30,12 +30,13 @@ TEST(FrameBuilder, TakesStampCameraAndImages) {
   EXPECT_NEAR(frame.depth_m.at<float>(3, 5), 1.031, 1e-6);  // 1000 + 3 * 8 + 5 + 2 mm
 }
 
-TEST(FrameBuilder, SaysHowSureDepthIs) {
+TEST(FrameBuilder, SaysHowSureDepthIsAndHowLongAnImageIsReadFor) {
   FrameBuilder builder;
   EXPECT_EQ(builder.build(test::makeScan()).camera.depthNoise, core::DepthNoise());
   const core::DepthNoise stereo{0.0, 0.004, 0.0};
-  builder.setDepthNoise(stereo);
+  builder.setSensorTraits({stereo, 0.02});
   EXPECT_EQ(builder.build(test::makeScan()).camera.depthNoise, stereo);
+  EXPECT_EQ(builder.build(test::makeScan()).camera.readout_s, 0.02);
 }
 
 TEST(FrameBuilder, NumbersFrames) {

@@ -223,7 +223,7 @@ TEST_F(RawlogFile, PairsOfAStereoCameraBecomeScans) {
   const test::StereoScene scene;
   write({scene.record(0), scene.record(1)});
   RawlogSource source(file, {});
-  EXPECT_NEAR(source.depthNoise().sigma_m(2.0), 4.0 / 25 * StereoOptions().disparity_sigma_px, 1e-9);
+  EXPECT_NEAR(source.sensorTraits().depthNoise.sigma_m(2.0), 4.0 / 25 * StereoOptions().disparity_sigma_px, 1e-9);
   const auto scan = source.next();
   ASSERT_TRUE(scan);
   EXPECT_NEAR(scan->rangeImage(120, 160) * static_cast<double>(scan->rangeUnits), 2.0, 0.1);
@@ -254,13 +254,15 @@ TEST_F(RawlogFile, OfAStereoCameraTakesNoCameraFile) {
   EXPECT_THAT([&] { RawlogSource(file, options); }, ThrowsMessage<core::InputError>(HasSubstr("stereo camera")));
 }
 
-TEST_F(RawlogFile, TheNoiseOfACameraFileIsThatOfTheDepth) {
+TEST_F(RawlogFile, TheNoiseAndTheReadoutOfACameraFileAreThoseOfTheCamera) {
   write({makeScan(0, 16, 16)});
   SourceOptions options;
-  options.camera = folder.write("camera.yaml",
-                                "width: 16\nheight: 16\nfx: 9\nfy: 9\ncx: 3.5\ncy: 2.5\ndepth_noise: {growth: 0.01}\n");
-  EXPECT_EQ(RawlogSource(file, options).depthNoise().growth_per_m, 0.01);
-  EXPECT_EQ(RawlogSource(file, {}).depthNoise(), core::DepthNoise());
+  options.camera = folder.write(
+      "camera.yaml",
+      "width: 16\nheight: 16\nfx: 9\nfy: 9\ncx: 3.5\ncy: 2.5\ndepth_noise: {growth: 0.01}\nreadout: 0.02\n");
+  EXPECT_EQ(RawlogSource(file, options).sensorTraits().depthNoise.growth_per_m, 0.01);
+  EXPECT_EQ(RawlogSource(file, options).sensorTraits().readout_s, 0.02);
+  EXPECT_EQ(RawlogSource(file, {}).sensorTraits().depthNoise, core::DepthNoise());
 }
 
 TEST_F(RawlogFile, CountsItsSensorsAndTakesTheOneAskedFor) {

@@ -306,6 +306,13 @@ TEST(TumFolderSource, OrbSlamsCameraHasTheSizeOfTheImages) {
   EXPECT_THAT(reading.notes, ElementsAre(HasSubstr("calibration of ORB-SLAM"), HasSubstr("32x24")));
 }
 
+TEST(TumFolderSource, TellsTheReadoutOfItsCamera) {
+  const TumFolder folder(1);
+  folder.write("camera.yaml",
+               "width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 15.5\ncy: 11.5\ndepth_factor: 1000\nreadout: 0.02\n");
+  EXPECT_EQ(TumFolderSource(folder.path(), {}).sensorTraits().readout_s, 0.02);
+}
+
 TEST(TumFolderSource, KnowsTumsCamerasByTheCommentsOfTheList) {
   const TumFolder folder(1);
   std::filesystem::remove(folder.path() / "camera.yaml");

@@ -17,11 +17,11 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kImages = 4;  // two that are compared, and their neighbours, which tell how fast the camera was
 constexpr std::size_t kMinPoints = 30;
-constexpr double kLeastTurn_radps = 0.6;  // slower, what is wrong with depth and lens says more than the readout
+constexpr double kLeastTurn_radps = 0.3;  // slower, what is wrong with depth and lens says more than the readout
 constexpr double kLongest_s = 0.05;
 constexpr double kNearest_m = 0.1;
 constexpr double kPixelSigma_px = 1.5;
-constexpr double kTrimSigmas = 2.0;
+constexpr double kTrimSigmas = 3.0;
 constexpr double kSureSigmas = 2.0;        // nearer to 0 it is 0: a global shutter is left alone
 constexpr double kPointsPerOpinion = 5.0;  // neighbours err together
 

@@ -98,7 +98,7 @@ class BagObservations::Reading {
   [[nodiscard]] std::size_t scans() const { return scans_; }
   [[nodiscard]] std::size_t size() const { return items_.size(); }
   [[nodiscard]] const core::EventCounts& damage() const { return damage_.counts(); }
-  [[nodiscard]] core::DepthNoise depthNoise() const { return rig_.color.depthNoise; }
+  [[nodiscard]] core::SensorTraits sensorTraits() const { return rig_.color.traits(); }
 
  private:
   [[nodiscard]] const bags::Topic& topic(std::size_t index) const { return bag_->topics()[index]; }
@@ -284,6 +284,6 @@ void BagObservations::passOverAllButScans() { reading_->passOverAllButScans(); }
 std::size_t BagObservations::scans() const { return reading_->scans(); }
 std::size_t BagObservations::size() const { return reading_->size(); }
 const core::EventCounts& BagObservations::damage() const { return reading_->damage(); }
-core::DepthNoise BagObservations::depthNoise() const { return reading_->depthNoise(); }
+core::SensorTraits BagObservations::sensorTraits() const { return reading_->sensorTraits(); }
 
 }  // namespace wardslam::sources

@@ -14,7 +14,7 @@ class BagSource : public ObservationSource {
   [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() override;
   [[nodiscard]] std::optional<std::size_t> size() const override { return bag_.scans(); }
   [[nodiscard]] const core::EventCounts& damage() const override { return bag_.damage(); }
-  [[nodiscard]] core::DepthNoise depthNoise() const override { return bag_.depthNoise(); }
+  [[nodiscard]] core::SensorTraits sensorTraits() const override { return bag_.sensorTraits(); }
 
  private:
   BagObservations bag_;

@@ -112,7 +112,8 @@ core::Frame FrameBuilder::build(std::shared_ptr<CObservation3DRangeScan> observa
   core::Frame frame;
   frame.stamp_s = core::fromMrptTime(observation->timestamp);
   frame.camera = core::fromMrpt(observation->cameraParamsIntensity);
-  frame.camera.depthNoise = depthNoise_;
+  frame.camera.depthNoise = traits_.depthNoise;
+  frame.camera.readout_s = traits_.readout_s;
   frame.T_base_cam =
       core::fromMrpt(observation->sensorPose) * core::fromMrpt(observation->relativePoseIntensityWRTDepth);
 

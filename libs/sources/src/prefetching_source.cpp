@@ -11,7 +11,7 @@ PrefetchingSource::PrefetchingSource(const Opener& open, WarningSink warn, std::
       capacity_(capacity),
       inner_(open([this](const std::string& sentence) { collectedWarnings_.push_back(sentence); })),
       size_(inner_->size()),
-      depthNoise_(inner_->depthNoise()),
+      traits_(inner_->sensorTraits()),
       rate_hz_(inner_->rate_hz()),
       damage_(inner_->damage()),
       sensors_(inner_->sensors()) {

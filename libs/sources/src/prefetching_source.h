@@ -27,7 +27,7 @@ class PrefetchingSource : public ObservationSource {
   [[nodiscard]] std::optional<std::size_t> size() const override { return size_; }
   [[nodiscard]] const core::EventCounts& damage() const override { return damage_; }
   [[nodiscard]] SensorCounts sensors() const override { return sensors_; }
-  [[nodiscard]] core::DepthNoise depthNoise() const override { return depthNoise_; }
+  [[nodiscard]] core::SensorTraits sensorTraits() const override { return traits_; }
   [[nodiscard]] double rate_hz() const override { return rate_hz_; }
 
  private:
@@ -51,7 +51,7 @@ class PrefetchingSource : public ObservationSource {
   std::vector<std::string> collectedWarnings_;  ///< By the thread that calls the inner source.
   std::unique_ptr<ObservationSource> inner_;
   std::optional<std::size_t> size_;
-  core::DepthNoise depthNoise_;
+  core::SensorTraits traits_;
   double rate_hz_;
   core::EventCounts damage_;
   SensorCounts sensors_;

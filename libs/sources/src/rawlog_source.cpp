@@ -52,7 +52,7 @@ RawlogSource::RawlogSource(const fs::path& file, const SourceOptions& options)
     if (camera_->color.width_px == 0) {
       throw core::InputError(options.camera->string() + ": does not tell the size of the images it is for; add it");
     }
-    depthNoise_ = camera_->color.depthNoise;
+    traits_ = camera_->color.traits();
   }
   first_ = readScan();
   if (!first_) failWithoutScans();
@@ -163,7 +163,7 @@ RawlogSource::ScanPtr RawlogSource::prepare(const CObservationStereoImages& pair
   loadImages(pair);
   try {
     auto scan = stereo_.convert(pair);
-    if (!label_) depthNoise_ = stereo_.noise();
+    if (!label_) traits_.depthNoise = stereo_.noise();
     return scan;
   } catch (const core::FrameError& error) {
     throw InputDamage("sources.observation_unusable", error.what());

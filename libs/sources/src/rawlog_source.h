@@ -42,7 +42,7 @@ class RawlogSource : public ObservationSource {
   [[nodiscard]] std::optional<std::size_t> size() const override { return std::nullopt; }
   [[nodiscard]] const core::EventCounts& damage() const override;
   [[nodiscard]] SensorCounts sensors() const override { return sensors_; }
-  [[nodiscard]] core::DepthNoise depthNoise() const override { return depthNoise_; }
+  [[nodiscard]] core::SensorTraits sensorTraits() const override { return traits_; }
 
  private:
   using ScanPtr = std::shared_ptr<mrpt::obs::CObservation3DRangeScan>;
@@ -66,7 +66,7 @@ class RawlogSource : public ObservationSource {
   std::unique_ptr<DamageLog> damage_;
 
   StereoDepth stereo_;
-  core::DepthNoise depthNoise_;  ///< Of the first observation's sensor.
+  core::SensorTraits traits_;  ///< Of the first observation's sensor.
 
   std::deque<ObservationPtr> pending_;  ///< From the sensory frame read last.
   ScanPtr first_;                       ///< Read when opening, delivered by the first next().

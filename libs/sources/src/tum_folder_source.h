@@ -30,7 +30,7 @@ class TumFolderSource : public ObservationSource {
   [[nodiscard]] std::shared_ptr<mrpt::obs::CObservation3DRangeScan> next() override;
   [[nodiscard]] std::optional<std::size_t> size() const override { return pairs_.size(); }
   [[nodiscard]] const core::EventCounts& damage() const override;
-  [[nodiscard]] core::DepthNoise depthNoise() const override { return camera_.camera.color.depthNoise; }
+  [[nodiscard]] core::SensorTraits sensorTraits() const override { return camera_.camera.color.traits(); }
   [[nodiscard]] double rate_hz() const override { return camera_.camera.rate_hz; }
 
  private:

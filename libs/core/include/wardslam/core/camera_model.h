@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wardslam/core/depth_noise.h"
+#include "wardslam/core/sensor_traits.h"
 
 namespace mrpt::img {
 class TCamera;
@@ -33,6 +34,8 @@ struct CameraModel {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit);
+
+  [[nodiscard]] SensorTraits traits() const { return {depthNoise, readout_s}; }
 
   [[nodiscard]] bool hasDistortion() const { return k1 != 0 || k2 != 0 || p1 != 0 || p2 != 0 || k3 != 0; }
 

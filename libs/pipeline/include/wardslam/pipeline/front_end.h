@@ -32,9 +32,8 @@ class FrontEnd {
   /// Throws core::InputError when a file the options name is missing or wrong.
   explicit FrontEnd(const SlamOptions& options, const odometry::Continuation& earlier = {});
 
-  /// How sure the depth of the observations to come is (sources::ObservationSource::depthNoise); a Kinect's unless
-  /// told.
-  void setDepthNoise(const core::DepthNoise& noise) { frameBuilder_.setDepthNoise(noise); }
+  /// What is known of the camera beside what its observations tell (sources::ObservationSource::sensorTraits).
+  void setSensorTraits(const core::SensorTraits& traits) { frameBuilder_.setSensorTraits(traits); }
 
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
   /// core::InputError for what no later observation mends. Annotates the observation with what the filters found,

@@ -47,9 +47,8 @@ class SlamSystem {
                       WhenBehind whenBehind = WhenBehind::LeavesViewsOut);
   ~SlamSystem();  ///< Without finish(), what still waits to be worked into the map is dropped.
 
-  /// How sure the depth of the observations to come is (sources::ObservationSource::depthNoise); a Kinect's unless
-  /// told.
-  void setDepthNoise(const core::DepthNoise& noise) { frontEnd_.setDepthNoise(noise); }
+  /// What is known of the camera beside what its observations tell (sources::ObservationSource::sensorTraits).
+  void setSensorTraits(const core::SensorTraits& traits) { frontEnd_.setSensorTraits(traits); }
 
   /// Call in order of time. Throws core::FrameError for an observation that cannot be used: leave it out and go on;
   /// core::InputError for what no later observation mends. Annotates the observation. `motion`: of the robot's base

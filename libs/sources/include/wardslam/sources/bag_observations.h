@@ -37,7 +37,7 @@ class BagObservations {
   [[nodiscard]] std::size_t scans() const;  ///< Pairs of images, of which some may turn out to be unreadable.
   [[nodiscard]] std::size_t size() const;   ///< The same with all other observations.
   [[nodiscard]] const core::EventCounts& damage() const;
-  [[nodiscard]] core::DepthNoise depthNoise() const;
+  [[nodiscard]] core::SensorTraits sensorTraits() const;
 
  private:
   class Reading;

@@ -16,8 +16,8 @@ class FrameBuilder {
   FrameBuilder(FrameBuilder&&) noexcept;
   FrameBuilder& operator=(FrameBuilder&&) noexcept;
 
-  /// How sure the depth of the frames to come is; a Kinect's unless told.
-  void setDepthNoise(const core::DepthNoise& noise) { depthNoise_ = noise; }
+  /// What is known of the camera beside what its observations tell (ObservationSource::sensorTraits).
+  void setSensorTraits(const core::SensorTraits& traits) { traits_ = traits; }
 
   /// Keeps a reference to the observation in Frame::observation; the colour image shares its memory. Depth that is
   /// farther than any such camera can see becomes 0. Throws core::FrameError when image or range image are missing,
@@ -32,7 +32,7 @@ class FrameBuilder {
 
   cv::Size size_px_;  ///< Of the first image; empty before it.
   std::uint64_t nextIndex_ = 0;
-  core::DepthNoise depthNoise_;
+  core::SensorTraits traits_;
   std::unique_ptr<DepthConverter> depthConverter_;
 };
 

@@ -55,8 +55,8 @@ class LiveSensorSource : public ObservationSource {
 
   /// Always empty: see counts().
   [[nodiscard]] const core::EventCounts& damage() const override { return noDamage_; }
-  [[nodiscard]] core::DepthNoise depthNoise() const override {
-    return camera_ ? camera_->color.depthNoise : core::DepthNoise{};
+  [[nodiscard]] core::SensorTraits sensorTraits() const override {
+    return camera_ ? camera_->color.traits() : core::SensorTraits{};
   }
 
   /// Closes the camera; next() is not to be called any more. Then all that was received was delivered, skipped or

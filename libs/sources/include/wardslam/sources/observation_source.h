@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "wardslam/core/depth_noise.h"
 #include "wardslam/core/event_counts.h"
+#include "wardslam/core/sensor_traits.h"
 #include "wardslam/sources/bag_topics.h"
 #include "wardslam/sources/sensor_counts.h"
 #include "wardslam/sources/stereo_options.h"
@@ -36,8 +36,8 @@ class ObservationSource {
   /// The sensors met so far; the observations of one of them are delivered. Empty where there can be no other.
   [[nodiscard]] virtual SensorCounts sensors() const { return {}; }
 
-  /// How sure the measured depths are. A Kinect's, for sources that know nothing better.
-  [[nodiscard]] virtual core::DepthNoise depthNoise() const { return {}; }
+  /// What is known of the camera that its observations do not tell.
+  [[nodiscard]] virtual core::SensorTraits sensorTraits() const { return {}; }
 
   /// Images a second, by which files that number images instead of telling the time are to be taken.
   [[nodiscard]] virtual double rate_hz() const { return 30.0; }
