@@ -44,6 +44,7 @@ std::vector<cv::KeyPoint> chooseEvenly(const std::vector<cv::KeyPoint>& candidat
 }
 
 float depthAt(const cv::Mat& depth_m, const cv::Point2f& raw_px) {
+  if (depth_m.empty()) return 0.0F;
   return depth_m.at<float>(core::nearestPixel(raw_px, depth_m.size()));
 }
 
