@@ -27,6 +27,7 @@ readonly PACKAGES=(
 # What is installed where the release has it; all is built, and nearly all tested, without.
 readonly PACKAGES_WHERE_KNOWN=(
   libonnxruntime-dev # networks on ONNX Runtime; from Debian 13 on
+  clang libclang-rt-dev # the verb fuzz
 )
 
 say() { printf '\n==> %s\n' "$*"; }
@@ -44,6 +45,7 @@ usage: ./bootstrap.sh VERB
   demo    build, then map a synthetic ward with and without the filter; results in demo/
   test    build, then run all tests
   deb     build, then make the Debian package build/release/wardslam_*.deb
+  fuzz    have libFuzzer try every parser, for 20 s each or so many as are given behind the verb; no part of the tests
   tidy    build, then clang-tidy over the whole tree (takes several minutes)
 TEXT
 }
@@ -117,6 +119,18 @@ tidy() {
   tests/style/tidy.sh "build/${PRESET}"
 }
 
+fuzz() { # fuzz [SECONDS]
+  deps
+  echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
+    clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null ||
+    die "this clang has no libFuzzer; install clang and its compiler-rt (Debian 12: libclang-rt-14-dev)"
+  say "Building the fuzz targets into build/fuzz/"
+  cmake --preset fuzz
+  cmake --build --preset fuzz --parallel "$(nproc)"
+  say "Running them for ${1:-20} s each"
+  tests/fuzz/run "${1:-20}"
+}
+
 # json_number FILE KEY: the number that stands at the first "KEY".
 json_number() { grep -m1 -oP "\"$2\":\s*\K[-+.eE0-9]+" "$1"; }
 
@@ -159,6 +173,7 @@ TEXT
 case "${1-}" in
   deps | build | demo | deb | tidy) (($# == 1)) || { usage >&2; exit 2; }; "$1" ;;
   test) run_tests ;;
+  fuzz) (($# <= 2)) || { usage >&2; exit 2; }; fuzz "${2-}" ;;
   -h | --help | help) usage ;;
   *) usage >&2; exit 2 ;;
 esac

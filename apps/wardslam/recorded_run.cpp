@@ -15,6 +15,7 @@
 #include "dynamic_truth.h"
 #include "picture_writer.h"
 #include "run_folder.h"
+#include "still_camera.h"
 #include "support/playback_clock.h"
 #include "support/program.h"
 #include "support/progress.h"
@@ -275,6 +276,7 @@ class Execution {
   void watch() {
     slam_.setSensorTraits(source().sensorTraits());
     slam_.addObserver(statistics_);
+    slam_.addObserver(stillCamera_);
     slam_.addObserver(zones_);
     slam_.addObserver(folder_);
     if (live_) slam_.addObserver(*live_);
@@ -360,6 +362,7 @@ class Execution {
   std::unique_ptr<DynamicTruth> truth_;  ///< Null: not compared.
   RunFolder folder_;
   pipeline::RunStatistics statistics_;
+  StillCamera stillCamera_{tellAtOnce};
   PictureWriter pictures_{run_.out / "pictures", {run_.pictureInterval, run_.keepPeople}, slam_.labelSpace()};
   pipeline::ZoneWatch zones_{slam_.zones()};
   std::optional<viewer::LiveWindow> window_;

@@ -102,5 +102,24 @@ TEST(AbsoluteTrajectoryError, RefusesASinglePose) {
               ThrowsMessage<core::InputError>(HasSubstr("ground truth empty")));
 }
 
+TEST(AbsoluteTrajectoryError, PathsThatLeaveTheAlignmentOpenHaveFiguresAndNoNaN) {
+  const std::vector<std::vector<Eigen::Vector3d>> paths = {
+      {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}},               // standing
+      {{0, 0, 0}, {1, 0, 0}},                          // two places
+      {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}},    // a line
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2, 0}},    // a plane
+      {{1e8, 0, 0}, {1e8, 1e-9, 0}, {1e8, 2e-9, 0}}};  // far off, and hardly moving
+  for (const auto& path : paths) {
+    const auto truth = through(path);
+    for (const auto& estimate : {truth, moved(kSomewhere, truth), through(std::vector(path.size(), path.front()))}) {
+      const auto error = absoluteTrajectoryError(truth, estimate);
+      EXPECT_TRUE(error.T_groundtruth_estimate.matrix().allFinite());
+      EXPECT_NEAR(error.T_groundtruth_estimate.linear().determinant(), 1.0, 1e-9);
+      EXPECT_TRUE(std::isfinite(error.translation_m.rmse) && std::isfinite(error.translation_m.max));
+    }
+    EXPECT_LT(absoluteTrajectoryError(truth, moved(kSomewhere, truth)).translation_m.max, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace wardslam::evaluation

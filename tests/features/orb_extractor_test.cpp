@@ -161,6 +161,13 @@ TEST(OrbExtractor, TellsHowFarTheDepthsAroundSpread) {
   EXPECT_EQ(spreads(0.0F), 0);
 }
 
+TEST(OrbExtractor, WithoutADepthImageNoKeypointHasDepth) {
+  const auto features = OrbExtractor({}).extract(blobs(100, 5), {}, {});
+  EXPECT_EQ(features.size(), OrbExtractor({}).extract(blobs(100, 5), noDepth(), {}).size());
+  ASSERT_FALSE(features.keypoints.empty());
+  for (const auto& keypoint : features.keypoints) EXPECT_EQ(keypoint.depth_m, 0.0F);
+}
+
 TEST(OrbExtractor, UndistortsAsTheCameraDoes) {
   const auto camera = distortedCamera();
   const auto features = OrbExtractor({}).extract(blobs(100, 6), noDepth(), camera);

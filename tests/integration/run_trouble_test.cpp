@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fstream>
 #include <iterator>
+#include <opencv2/imgcodecs.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "room_recording.h"
 #include "run_fixture.h"
+#include "support/small_disk.h"
 
 /// What goes wrong in the middle of a run, and what is on disk then.
 namespace wardslam {
@@ -133,6 +135,81 @@ TEST_F(RunTrouble, ADiskThatIsFullForAMoment) {
     EXPECT_EQ(summary().at("frames"), kListed);
   }
   std::signal(SIGXFSZ, handler);
+}
+
+TEST_F(RunTrouble, ADiskThatIsFullForGood) {
+  const test::RoomRecording room(6);
+  for (const std::size_t size_kb : {4, 40, 400}) {  // full at the first file, at the map, at the last files
+    SCOPED_TRACE(size_kb);
+    const test::SmallDisk disk(out, size_kb);
+    if (!disk.isThere()) GTEST_SKIP() << "needs root, to mount a small disk";
+    const auto result = run(room.path());
+    EXPECT_EQ(result.exitCode, 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("disk full")) << result.err;
+    if (fs::exists(out / "trajectory.txt")) {
+      EXPECT_THAT(trajectory(), SizeIs(6)) << "all of it or nothing";
+    }
+    if (!fs::exists(out / "map.wardmap")) continue;
+    const auto check = test::runProgram("wardslam", {"map", "check", out / "map.wardmap"});
+    EXPECT_EQ(check.exitCode, 0) << check.err;
+  }
+}
+
+TEST_F(RunTrouble, AFolderThatIsWriteProtected) {
+  const test::RoomRecording room(kImages);
+  const test::SmallDisk disk(out, 4096);
+  if (!disk.isThere() || !disk.protect()) GTEST_SKIP() << "needs root, to mount a disk";
+  expectError(run(room.path()), 1, out.string());
+}
+
+TEST_F(RunTrouble, AnOutputFolderThatVanishes) {
+  constexpr std::size_t kListed = 100;
+  const test::RoomRecording room(kImages, kListed);
+  test::RunningProgram program("wardslam", argumentsOf(room.path(), {"--filter", "off", "--realtime"}));
+  for (int i = 0; i < 3000 && !fs::exists(out / "map.wardmap"); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  fs::remove_all(out);
+  const auto result = program.wait();
+  EXPECT_EQ(result.exitCode, 1) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(out.string()));
+}
+
+TEST_F(RunTrouble, DepthThatStandsStill) {
+  constexpr int kFrozen = 10, kMany = 36;
+  const test::RoomRecording room(kMany);
+  for (int image = kFrozen + 1; image < kMany; ++image) {
+    fs::copy_file(room.depth(kFrozen), room.depth(image), fs::copy_options::overwrite_existing);
+  }
+  const auto result = run(room.path());
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("wardslam: depth has stood still since before 1000.375 s"));
+  EXPECT_EQ(summary().at("events"), (nlohmann::json{{"sources.depth_still", 24}})) << "but for the first repeat";
+  EXPECT_THAT(trajectory(), SizeIs(kMany));
+}
+
+TEST_F(RunTrouble, ACameraThatIsFrozen) {
+  constexpr int kFrozen = 3, kMany = 45;
+  const test::RoomRecording room(kMany);
+  for (int image = kFrozen + 1; image < kMany; ++image) {
+    fs::copy_file(room.color(kFrozen), room.color(image), fs::copy_options::overwrite_existing);
+  }
+  const auto result = run(room.path());
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("delivers one and the same image since 1000.094 s"));
+  EXPECT_EQ(summary().at("events"), (nlohmann::json{{"sources.image_repeated", kMany - kFrozen - 1}}));
+}
+
+TEST_F(RunTrouble, DepthThatMeasuresNothing) {
+  for (const int units : {0, 65535}) {
+    const test::RoomRecording room(kImages);
+    for (int image = 0; image < kImages; ++image) {
+      cv::imwrite(room.depth(image).string(), cv::Mat(240, 320, CV_16UC1, cv::Scalar(units)));
+    }
+    fs::remove_all(out);
+    expectError(run(room.path()), 1, "no frame could be tracked; does every image have texture and depth");
+    EXPECT_EQ(summary().at("frames"), kImages);
+  }
 }
 
 }  // namespace

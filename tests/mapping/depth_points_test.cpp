@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace wardslam::mapping {
 namespace {
 
@@ -16,6 +18,15 @@ TEST(DepthPoints, AreThoseOfEveryFewPixelsThatHaveDepth) {
   EXPECT_TRUE(
       points[0].p_cam_m.isApprox(Eigen::Vector3d((200 - 319.5) / 525.0 * 2.0, (100 - 239.5) / 525.0 * 2.0, 2.0), 1e-6));
   EXPECT_EQ(points[1].p_cam_m.z(), 3.0);
+}
+
+TEST(DepthPoints, AreNoneWhereDepthIsNoNumber) {
+  cv::Mat depth_m(4, 4, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  depth_m.row(1).setTo(std::numeric_limits<float>::infinity());
+  depth_m.row(2).setTo(-1.0F);
+  depth_m.at<float>(3, 3) = 2.0F;
+  EXPECT_EQ(depthPoints(depth_m, {}, 1).size(), 1U);
+  EXPECT_TRUE(depthPoints({}, {}, 1).empty());
 }
 
 TEST(DepthPoints, LieWhereTheLensDoesNotBendThem) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -196,6 +197,29 @@ TEST(FindGround, IsNoneWhereNoFloorIsInSight) {
 
 TEST(FloorFinder, WithoutDepthThereIsNoFloor) {
   EXPECT_FALSE(levelWithFloor(cv::Mat::zeros(240, 320, CV_32FC1), camera(), core::T_sensor_cam()));
+}
+
+TEST(FindGround, DepthThatTellsLittleIsNoGround) {
+  const cv::Mat whole = look({kFloor}, T_floor_cam(kCameraHeight_m, 0.4, 0.0));
+  ASSERT_TRUE(findGround(whole, camera(), {}));
+  const auto part = [&](const cv::Rect& seen) {
+    cv::Mat depth_m = cv::Mat::zeros(whole.size(), CV_32FC1);
+    whole(seen).copyTo(depth_m(seen));
+    return depth_m;
+  };
+  EXPECT_FALSE(findGround({}, camera(), {}));
+  EXPECT_FALSE(findGround(part({160, 200, 1, 1}), camera(), {})) << "one pixel";
+  EXPECT_FALSE(findGround(part({0, 200, 320, 1}), camera(), {})) << "a line";
+  EXPECT_FALSE(findGround(part({160, 120, 1, 120}), camera(), {})) << "a column";
+  for (const float nothing : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    cv::Mat odd(whole.size(), CV_32FC1, cv::Scalar(nothing));
+    EXPECT_FALSE(findGround(odd, camera(), {})) << nothing;
+    whole.rowRange(120, 240).copyTo(odd.rowRange(120, 240));
+    const auto ground = findGround(odd, camera(), {});
+    ASSERT_TRUE(ground) << nothing;
+    EXPECT_NEAR(ground->height_m, kCameraHeight_m, 0.01);
+    EXPECT_TRUE(ground->covariance.allFinite());
+  }
 }
 
 }  // namespace

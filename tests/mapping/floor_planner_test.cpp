@@ -104,6 +104,28 @@ TEST_F(FloorPlanTest, OfNothingIsEmptyAndOfTheWorldIsRefused) {
               ::testing::ThrowsMessage<core::InputError>(::testing::HasSubstr("floor_plan.resolution_m")));
 }
 
+TEST_F(FloorPlanTest, OfHardlyAnythingIsAPlanAndNoNaN) {
+  SemanticMap bare;  // keyframes in one place that saw nothing
+  for (std::uint64_t id = 1; id <= 3; ++id) bare.keyframes[id].T_map_cam = T_map_cam(1, 2);
+  SemanticMap onePoint = bare;
+  onePoint.cloud[1].points.emplace_back();
+  onePoint.keyframes[1].freeFan_cam_m = {{0.0F, 1.0F, 2.0F}};
+  SemanticMap upright = bare;  // a wall of one column of points, and a floor seen from it that stands upright
+  for (int i = 0; i < 40; ++i) {
+    SemanticPoint point;
+    point.p_cam_m = {0.0F, 0.05F * static_cast<float>(i), 2.0F};
+    upright.cloud[1].points.push_back(point);
+  }
+  upright.keyframes[1].ground = core::GroundPlane{};
+  upright.keyframes[1].ground->normal_cam = Eigen::Vector3d::UnitX();
+  for (const SemanticMap& map : {bare, onePoint, upright}) {
+    const auto plan = drawFloorPlan(map, {});
+    EXPECT_TRUE(plan.origin_m.allFinite());
+    EXPECT_EQ(plan.resolution_m, 0.05);
+    EXPECT_LT(plan.cells.total(), 1000U * 1000U);
+  }
+}
+
 // The floor plan of a corridor that is driven along, however the map leans and the camera is held.
 
 constexpr double kDeg = M_PI / 180.0;

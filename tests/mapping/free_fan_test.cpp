@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "wardslam/core/mrpt_compat.h"
 
 namespace wardslam::mapping {
@@ -138,6 +140,25 @@ TEST(FreeFan, OfSeenGroundEndsAtAThingAsOfGroundThatIsAssumed) {
   const auto fan = freeFan(lookAtWall(), camera(), seen(), {});
   EXPECT_NEAR(reach_m(fan, 0.0), kWall_m, 0.01);
   EXPECT_NEAR(reach_m(fan, 0.375), 2.0, 0.01) << "the box";
+}
+
+TEST(FreeFan, OfDepthThatTellsLittleHasNoNaN) {
+  const cv::Mat whole = lookAtWall();
+  cv::Mat pixel = cv::Mat::zeros(whole.size(), CV_32FC1);
+  pixel.at<float>(400, 320) = whole.at<float>(400, 320);
+  cv::Mat odd = whole.clone();
+  odd.colRange(0, 200).setTo(std::numeric_limits<float>::quiet_NaN());
+  odd.colRange(200, 400).setTo(std::numeric_limits<float>::infinity());
+  for (const cv::Mat& depth_m :
+       {cv::Mat(), cv::Mat(cv::Mat::zeros(whole.size(), CV_32FC1)), pixel, odd,
+        cv::Mat(whole.size(), CV_32FC1, cv::Scalar(1e-30)), cv::Mat(whole.size(), CV_32FC1, cv::Scalar(1e30))}) {
+    for (const StandingGround& ground : {assumed(), seen()}) {
+      for (const auto& end_m : freeFan(depth_m, camera(), ground, {})) {
+        EXPECT_TRUE(end_m.allFinite());
+        EXPECT_LE(end_m.norm(), 2 * FloorPlanOptions().max_range_m);
+      }
+    }
+  }
 }
 
 }  // namespace

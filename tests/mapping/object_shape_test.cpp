@@ -59,5 +59,29 @@ TEST(ObjectShapeTest, OnePointIsABoxWithoutSize) {
   EXPECT_EQ(shape.box_m.sizes(), Eigen::Vector3d(0, 0, 0));
 }
 
+TEST(ObjectShapeTest, PointsWithoutWidthMakeAFlatBoxAndNoNaN) {
+  std::vector<Eigen::Vector3f> line;
+  std::vector<Eigen::Vector3f> upright;
+  std::vector<Eigen::Vector3f> plane;
+  for (int i = 0; i < 50; ++i) {
+    const float s = 0.02F * static_cast<float>(i);
+    line.emplace_back(s, 2.0F * s, 0.5F);
+    upright.emplace_back(1.0F, 2.0F, s);
+    for (int j = 0; j < 20; ++j) plane.emplace_back(s, 0.0F, 0.02F * static_cast<float>(j));
+  }
+  const std::vector<Eigen::Vector3f> three = {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}};
+  const std::vector<Eigen::Vector3f> same(30, {1, 2, 3});
+  for (const auto& points : {line, upright, plane, three, same}) {
+    const ObjectShape shape = shapeOf(points, 0.15);
+    EXPECT_TRUE(shape.centroid_m.allFinite());
+    EXPECT_TRUE(shape.orientedBox.T_map_box.matrix().allFinite());
+    EXPECT_NEAR(shape.orientedBox.T_map_box.linear().determinant(), 1.0, 1e-6);
+    EXPECT_TRUE((shape.orientedBox.size_m.array() >= 0.0).all()) << shape.orientedBox.size_m.transpose();
+    EXPECT_TRUE((shape.box_m.sizes().array() >= 0.0).all());
+  }
+  EXPECT_NEAR(shapeOf(line, 0.15).orientedBox.size_m.x(), 0.98 * std::sqrt(5.0), 0.1) << "along the line";
+  EXPECT_NEAR(shapeOf(line, 0.15).orientedBox.size_m.y(), 0.0, 1e-3);
+}
+
 }  // namespace
 }  // namespace wardslam::mapping

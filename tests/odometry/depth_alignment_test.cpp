@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "odometry/rendered_planes.h"
 
@@ -128,6 +132,52 @@ TEST(DepthAlignment, WithoutDepthAllIsOpen) {
     EXPECT_TRUE(found.T_before_now.isApprox(kMotion));
     EXPECT_EQ(found.overlap, 0.0);
   }
+}
+
+TEST(DepthAlignment, SurfacesThatTellLittleLeaveDirectionsOpenAndMakeNoNaN) {
+  RenderedPlanes room(RenderedPlanes::room());
+  const cv::Mat whole = room.look(kStart).depth_m;
+  const auto part = [&](const cv::Rect& seen) {
+    cv::Mat depth_m = cv::Mat::zeros(whole.size(), CV_32FC1);
+    whole(seen).copyTo(depth_m(seen));
+    return depth_m;
+  };
+  cv::Mat odd = whole.clone();
+  odd.rowRange(0, 160).setTo(std::numeric_limits<float>::quiet_NaN());
+  odd.rowRange(160, 320).setTo(std::numeric_limits<float>::infinity());
+  const std::vector<std::pair<const char*, cv::Mat>> images = {
+      {"one pixel", part({320, 240, 1, 1})},
+      {"a line", part({0, 240, 640, 1})},
+      {"a column", part({320, 0, 1, 480})},
+      {"a corner", part({0, 0, 16, 16})},
+      {"one depth everywhere", cv::Mat(whole.size(), CV_32FC1, cv::Scalar(2.0))},
+      {"farther than any", cv::Mat(whole.size(), CV_32FC1, cv::Scalar(1e30))},
+      {"nearer than any", cv::Mat(whole.size(), CV_32FC1, cv::Scalar(1e-30))},
+      {"no numbers", odd}};
+  for (const auto& [name, image] : images) {
+    const DepthSurface surface = surfaceOf({image, {}});
+    for (const auto& guess : {kStart, kMotion, moved({0, 0, 0}, {0.0, 0.4, 0.0})}) {
+      for (const auto& found : {alignDepth(surface, surface, guess), alignDepth(surface, surfaceOf({whole, {}}), guess),
+                                alignDepth(surfaceOf({whole, {}}), surface, guess)}) {
+        EXPECT_TRUE(found.T_before_now.matrix().allFinite()) << name;
+        EXPECT_NEAR(found.T_before_now.linear().determinant(), 1.0, 1e-6) << name;
+        EXPECT_TRUE(found.information.allFinite()) << name;
+        EXPECT_TRUE(found.overlap >= 0.0 && found.overlap <= 1.0) << name;
+        EXPECT_TRUE(found.agreement >= 0.0 && found.agreement <= 1.0) << name;
+      }
+    }
+  }
+  for (const char* bare : {"one pixel", "a line", "a column"}) {
+    const auto image = std::find_if(images.begin(), images.end(), [&](const auto& i) { return i.first == bare; });
+    const DepthSurface surface = surfaceOf({image->second, {}});
+    EXPECT_EQ(alignDepth(surface, surface, kMotion).open, 6) << bare;
+  }
+}
+
+TEST(DepthAlignment, APureTurnIsFound) {
+  RenderedPlanes room(RenderedPlanes::room());
+  const Eigen::Isometry3d turn = moved({0, 0, 0}, {0.03, -0.05, 0.04});
+  EXPECT_LT(difference(turn, alignFromStart(room, turn).T_before_now).norm(), 0.002);
 }
 
 }  // namespace

@@ -2,7 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <functional>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "wardslam/core/depth_noise.h"
 
@@ -255,6 +260,54 @@ TEST_F(PoseSolverTest, FindsNoPoseWhereNothingAgrees) {
     keypoint.depth_m = 0.8F + 3.5F * unit(random_);
   }
   EXPECT_LT(solver_.solve(observations, camera_).inliers, 15);
+}
+
+/// Whatever the points: numbers, and inliers that are counted right.
+void expectStatus(const PoseEstimate& estimate, std::size_t observations) {
+  EXPECT_TRUE(estimate.T_cam_map.matrix().allFinite());
+  EXPECT_NEAR(estimate.T_cam_map.linear().determinant(), 1.0, 1e-6);
+  EXPECT_EQ(estimate.isInlier.size(), observations);
+  EXPECT_EQ(estimate.inliers, std::count(estimate.isInlier.begin(), estimate.isInlier.end(), true));
+}
+
+TEST_F(PoseSolverTest, PointsThatTellLittleGiveAStatusAndNoNaN) {
+  using Place = std::function<Eigen::Vector3d(double u, double v)>;
+  const std::vector<std::pair<const char*, Place>> places = {
+      {"one point", [](double, double) { return Eigen::Vector3d(0.1, 0.2, 2.0); }},
+      {"a line", [](double u, double) { return Eigen::Vector3d(u, 0.3 * u, 2.0 + 0.5 * u); }},
+      {"a line of sight", [](double u, double) { return Eigen::Vector3d(0.1, 0.1, 1.0) * (2.0 + u); }},
+      {"a plane", [](double u, double v) { return Eigen::Vector3d(u, v, 2.0); }},
+      {"a plane seen edge on", [](double u, double v) { return Eigen::Vector3d(u, 0.0, 3.0 + v); }},
+      {"the camera's own place", [](double, double) { return Eigen::Vector3d(0.0, 0.0, 0.0); }}};
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (const auto& [name, place] : places) {
+    for (const int count : {0, 1, 2, 3, 4, 5, 6, 60}) {
+      for (const bool withDepth : {true, false}) {
+        SCOPED_TRACE(std::string(name) + ", " + std::to_string(count) + (withDepth ? "" : " without depth"));
+        std::vector<PointObservation> observations;
+        for (int i = 0; i < count; ++i) {
+          const Eigen::Vector3d p_cam_m = place(unit(random_), unit(random_));
+          const Eigen::Vector2d px = p_cam_m.z() > 0 ? camera_.project(p_cam_m) : Eigen::Vector2d(320, 240);
+          PointObservation observation;
+          observation.p_map_m = T_cam_map_.inverse() * p_cam_m;
+          observation.keypoint.undistorted_px = {static_cast<float>(px.x()), static_cast<float>(px.y())};
+          if (withDepth) observation.keypoint.depth_m = static_cast<float>(p_cam_m.z());
+          observations.push_back(observation);
+        }
+        for (const auto& start : {guess(), T_cam_map_}) {
+          expectStatus(solver_.refine(observations, camera_, start), observations.size());
+          EXPECT_TRUE(solver_.covariance(observations, camera_, start).allFinite());
+        }
+        expectStatus(solver_.solve(observations, camera_), observations.size());
+      }
+    }
+  }
+}
+
+TEST_F(PoseSolverTest, APureTurnOfTheCameraIsFound) {
+  const auto observations = observe(150, true);
+  const Eigen::Isometry3d turned = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()) * T_cam_map_;
+  EXPECT_LT(squaredError(solver_.refine(observations, camera_, turned).T_cam_map, observations), 60.0);
 }
 
 }  // namespace

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <memory>
 #include <opencv2/imgproc.hpp>
+#include <string>
 #include <vector>
 
 #include "support/textured_room_scan.h"
@@ -27,6 +31,25 @@ class NearFilter : public filters::ObservationFilter {
 };
 
 IMPLEMENTS_MRPT_OBJECT(NearFilter, filters::ObservationFilter, wardslam::test)
+
+/// What a network does that takes all that it sees for one person.
+class EverybodyFilter : public filters::ObservationFilter {
+  DEFINE_MRPT_OBJECT(EverybodyFilter, wardslam::test)
+
+ public:
+  void initialize(const core::ConfigNode&, const filters::FilterContext&) override {}
+  void apply(core::Frame& frame) override {
+    if (frame.index < kTroubleBegins || frame.index >= kTroubleEnds) return;
+    core::addDynamic(frame, cv::Mat(frame.gray.size(), CV_8UC1, cv::Scalar(255)));
+    for (auto& keypoint : frame.features.keypoints) keypoint.motion = core::Motion::Dynamic;
+  }
+  [[nodiscard]] std::string parameters(int) const override { return {}; }
+
+  static constexpr std::uint64_t kTroubleBegins = 10;
+  static constexpr std::uint64_t kTroubleEnds = 30;
+};
+
+IMPLEMENTS_MRPT_OBJECT(EverybodyFilter, filters::ObservationFilter, wardslam::test)
 
 }  // namespace wardslam::test
 
@@ -126,6 +149,141 @@ TEST(FrontEnd, RefusesAStartPoseThatIsNone) {
   SlamOptions options = withoutFilters();
   options.map_frame.start_pose = "somewhere";
   EXPECT_THROW(FrontEnd{options}, core::InputError);
+}
+
+// Trouble with the camera from the tenth image on, for twenty images: a bit more than half a second.
+
+class CameraTrouble : public ::testing::Test {
+ protected:
+  using Scan = mrpt::obs::CObservation3DRangeScan;
+  static constexpr int kBegins = static_cast<int>(test::EverybodyFilter::kTroubleBegins);
+  static constexpr int kEnds = static_cast<int>(test::EverybodyFilter::kTroubleEnds);
+  static constexpr int kImages = kEnds + 10;
+
+  struct Outcome {
+    core::EventCounts events;
+    int lost = 0;               ///< Images whose pose nobody claims to know.
+    int elsewhere = 0;          ///< Images whose pose is told to be in no relation to those before.
+    int surelyWrong = 0;        ///< Images with a pose that is off by more than it says, and by more than 3 cm.
+    bool isFoundAgain = false;  ///< The last image has its pose.
+  };
+
+  /// `spoil` changes what the camera delivers while there is trouble; images it makes nothing of do not come.
+  template <class Spoil>
+  Outcome track(const Spoil& spoil, const std::string& filters = "[]") const {
+    SlamOptions options = withoutFilters();
+    options.map_frame.start_pose = "0 0 0 0 0 0 1";
+    options.filters = core::ConfigNode::fromText(filters);
+    FrontEnd frontEnd(options);
+    Outcome outcome;
+    for (int image = 0; image < kImages; ++image) {
+      auto scan = test::observe(room_, image);
+      if (image >= kBegins && image < kEnds) scan = spoil(scan, image);
+      if (!scan) continue;
+      const auto [frame, odometry] = frontEnd.process(scan);
+      for (const auto& [event, count] : frame.events) outcome.events[event] += count;
+      outcome.isFoundAgain = isRight(odometry, image);
+      outcome.lost += odometry.hasPose() ? 0 : 1;
+      outcome.elsewhere += odometry.hasPose() && !odometry.isInMap ? 1 : 0;
+      outcome.surelyWrong += odometry.hasPose() && odometry.isInMap && !isRight(odometry, image) ? 1 : 0;
+    }
+    return outcome;
+  }
+
+  static bool isRight(const odometry::OdometryResult& odometry, int image) {
+    const double off_m =
+        (odometry.T_map_cam.translation() - test::TexturedRoom::T_room_cam(image).translation()).norm();
+    const double sigma_m = odometry.covariance ? std::sqrt(odometry.covariance->topLeftCorner<3, 3>().trace()) : 0.0;
+    return odometry.hasPose() && off_m < std::max(0.03, 4 * sigma_m);
+  }
+
+  static auto colored(int gray) {
+    return [gray](const Scan::Ptr& scan, int /*image*/) {
+      scan->intensityImage = mrpt::img::CImage(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(gray)), mrpt::img::DEEP_COPY);
+      return scan;
+    };
+  }
+  static auto withDepth(int units) {
+    return [units](const Scan::Ptr& scan, int /*image*/) {
+      scan->rangeImage.fill(static_cast<std::uint16_t>(units));
+      return scan;
+    };
+  }
+
+  const test::TexturedRoom room_;
+};
+
+TEST_F(CameraTrouble, BlackAndWhiteImages) {
+  for (const int gray : {0, 255}) {
+    const auto outcome = track(colored(gray));
+    EXPECT_EQ(outcome.surelyWrong, 0) << gray;
+    EXPECT_TRUE(outcome.isFoundAgain) << gray;
+    EXPECT_EQ(outcome.events.at("sources.image_repeated"), 19U);
+  }
+}
+
+TEST_F(CameraTrouble, DepthOfZeroAndSaturated) {
+  for (const int units : {0, 65535}) {
+    const auto outcome = track(withDepth(units));
+    EXPECT_EQ(outcome.surelyWrong, 0) << units;
+    EXPECT_TRUE(outcome.isFoundAgain) << units;
+  }
+}
+
+TEST_F(CameraTrouble, DepthThatStandsStillWhileColoursGoOn) {
+  const auto still = test::observe(room_, kBegins);
+  const auto outcome = track([&](const Scan::Ptr& scan, int /*image*/) {
+    scan->rangeImage = still->rangeImage;
+    return scan;
+  });
+  EXPECT_EQ(outcome.surelyWrong, 0);
+  EXPECT_TRUE(outcome.isFoundAgain);
+  EXPECT_EQ(outcome.events, (core::EventCounts{{"sources.depth_still", 18}})) << "but for the first two";
+}
+
+TEST_F(CameraTrouble, AFrozenImageIsCounted) {
+  const auto frozen = test::observe(room_, kBegins);
+  const auto outcome = track([&](const Scan::Ptr& scan, int /*image*/) {
+    scan->intensityImage = frozen->intensityImage;
+    scan->rangeImage = frozen->rangeImage;
+    return scan;
+  });
+  EXPECT_TRUE(outcome.isFoundAgain);
+  EXPECT_EQ(outcome.events, (core::EventCounts{{"sources.image_repeated", 19}})) << "nobody can tell it from rest";
+}
+
+TEST_F(CameraTrouble, AStall) {
+  const auto outcome = track([](const Scan::Ptr& /*scan*/, int /*image*/) { return Scan::Ptr(); });
+  EXPECT_EQ(outcome.surelyWrong, 0);
+  EXPECT_TRUE(outcome.isFoundAgain);
+}
+
+TEST_F(CameraTrouble, AClockThatIsSetAnHourOnAndBackAgain) {
+  const auto outcome = track([](const Scan::Ptr& scan, int /*image*/) {
+    scan->timestamp += std::chrono::hours(1);
+    return scan;
+  });
+  EXPECT_EQ(outcome.surelyWrong, 0);
+  EXPECT_TRUE(outcome.isFoundAgain);
+}
+
+TEST_F(CameraTrouble, AClockThatStandsStill) {
+  const auto first = test::observe(room_, kBegins);
+  const auto outcome = track([&](const Scan::Ptr& scan, int /*image*/) {
+    scan->timestamp = first->timestamp;
+    return scan;
+  });
+  EXPECT_EQ(outcome.surelyWrong, 0);
+  EXPECT_TRUE(outcome.isFoundAgain);
+}
+
+TEST_F(CameraTrouble, ANetworkThatTakesAllForOnePerson) {
+  mrpt::rtti::registerClass(CLASS_ID(test::EverybodyFilter));
+  const auto outcome = track([](const Scan::Ptr& scan, int /*image*/) { return scan; },
+                             "[{class_name: 'wardslam::test::EverybodyFilter'}]");
+  EXPECT_EQ(outcome.lost, kEnds - kBegins);
+  EXPECT_EQ(outcome.surelyWrong, 0);
+  EXPECT_TRUE(outcome.isFoundAgain || outcome.elsewhere == kImages - kEnds) << "begun anew, and said so";
 }
 
 }  // namespace

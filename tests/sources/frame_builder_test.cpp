@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "sources/scan_maker.h"
 #include "wardslam/core/errors.h"
 
@@ -167,6 +169,27 @@ TEST_F(UnusableScan, WithoutRangeUnit) {
 TEST_F(UnusableScan, WithoutCalibration) {
   scan->cameraParamsIntensity.intrinsicParams.setZero();
   expectError("has no calibration of its colour camera");
+}
+
+TEST_F(UnusableScan, WithACalibrationThatNoCameraHas) {
+  const auto sound = scan->cameraParams;
+  for (const double focus_px : {1e-30, 1e30}) {
+    scan->cameraParams.fx(focus_px);
+    expectError("has a calibration of its depth camera that no camera has");
+  }
+  for (const double k : {1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    scan->cameraParams = sound;
+    scan->cameraParams.dist[1] = k;
+    expectError("has a calibration of its depth camera that no camera has");
+  }
+}
+
+TEST_F(UnusableScan, WithAPoseThatIsNone) {
+  scan->sensorPose.x(std::numeric_limits<double>::quiet_NaN());
+  expectError("has a pose of its camera that is none");
+  scan->sensorPose = {};
+  scan->relativePoseIntensityWRTDepth.z(1e300);
+  expectError("has a pose of its camera that is none");
 }
 
 TEST_F(UnusableScan, WithAnImageThatIsNotOfItsCamerasSize) {

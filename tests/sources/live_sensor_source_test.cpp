@@ -178,6 +178,24 @@ TEST_F(LiveSensor, SaysWhenImagesChangeTheirSize) {
           place() + "every observation for 0.5 s has images of 64x48 pixels, but the run began with 32x24"));
 }
 
+TEST_F(LiveSensor, LeavesOutWhatAClockThatIsSetBackStamps) {
+  auto live = camera("trouble = clock_set_back_once");
+  live.options.max_waiting_frames = 30;
+  LiveSensorSource source(live, listening());
+  for (const int number : {1, 2, 3, 4, 5, 7, 8}) EXPECT_EQ(numberOf(*source.next()), number);
+  EXPECT_EQ(source.counts().unusable, 1U);
+}
+
+TEST_F(LiveSensor, EndsWhereTheClockStaysSetBack) {
+  LiveSensorSource source(camera("trouble = clock_set_back"), listening());
+  EXPECT_THAT(
+      [&] {
+        while (source.next()) {
+        }
+      },
+      ThrowsMessage<core::InputError>(place() + "every observation for 0.5 s is not younger than the one before it"));
+}
+
 TEST_F(LiveSensor, EndsWhenAskedTo) {
   auto live = camera("trouble = hangs");
   bool stop = false;

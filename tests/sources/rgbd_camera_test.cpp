@@ -40,6 +40,22 @@ TEST_F(RgbdCameraFile, TakesItsKeys) {
   EXPECT_EQ(camera.rate_hz, 15.0);
 }
 
+TEST_F(RgbdCameraFile, NumbersThatNoCameraHasAreRefused) {
+  const auto refuses = [&](const std::string& text, const std::string& what) {
+    EXPECT_THAT([&] { return read(text); }, ThrowsMessage<core::InputError>(HasSubstr(what))) << text;
+  };
+  const std::string numbers = "fx: 525, fy: 525, cx: 319.5, cy: 239.5";
+  refuses("cam: {W: 1e30, H: 480, " + numbers + "}\n", "at most 16384 pixels");
+  refuses("cam: {W: 640, H: -480, " + numbers + "}\n", "at most 16384 pixels");
+  refuses("Camera: {cols: 3e9, rows: 480, " + numbers + "}\n", "at most 16384 pixels");
+  refuses("cam0: {resolution: [640, 99999], intrinsics: [525, 525, 319.5, 239.5]}\n", "at most 16384 pixels");
+  refuses("Camera.fx: 525\nCamera.fy: 525\nCamera.cx: 319.5\nCamera.cy: 239.5\nCamera.width: 1e10\nCamera.height: 1\n",
+          "at most 16384 pixels");
+  refuses("K: [525, 0, 319.5, 0, 525, 239.5, 0, 0, 1]\nwidth: 1e12\nheight: 480\n", "at most 16384 pixels");
+  refuses("cam: {W: 640, H: 480, " + numbers + ", distortion: [1e300]}\n", "coefficient of the lens");
+  refuses("525 525 1e300 239.5\n", "principal point that no camera has");
+}
+
 TEST_F(RgbdCameraFile, TellsNoDepthUnitThatIsNotThere) {
   EXPECT_EQ(read(kPinhole).depth_units_per_m, 0.0);
   EXPECT_FALSE(read(kPinhole).color.hasDistortion());

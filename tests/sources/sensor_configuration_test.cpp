@@ -52,6 +52,12 @@ TEST_F(SensorConfigurationFile, NamesWhatIsMissing) {
               "[A]: the key 'height' is missing (the nearest one there is 'higth')");
 }
 
+TEST_F(SensorConfigurationFile, MustBeAnIniFile) {
+  const auto file = write("[A]\ndriver = $env{HOME\nprocess_rate = 1\n");
+  EXPECT_THAT([&] { static_cast<void>(readSensorConfiguration(file)); },
+              ThrowsMessage<core::InputError>(HasSubstr("s.ini: is no .ini file that can be read: ")));
+}
+
 TEST_F(SensorConfigurationFile, MustBeThere) {
   EXPECT_THAT([] { static_cast<void>(readSensorConfiguration("/no/such.ini")); },
               ThrowsMessage<core::InputError>("/no/such.ini: no such file"));

@@ -143,6 +143,15 @@ TEST(StereoDepth, NeedsACalibrationOfBothCameras) {
   expectError(*pair, "no calibration of its right camera");
 }
 
+TEST(StereoDepth, NeedsACalibrationThatCanBeRectified) {
+  StereoScene scene;
+  for (core::CameraModel* camera : {&scene.left, &scene.right}) camera->k1 = 9000.0;
+  auto pair = StereoScene().record();
+  pair->leftCamera = core::toMrpt(scene.left);
+  pair->rightCamera = core::toMrpt(scene.right);
+  expectError(*pair, "cannot be rectified");
+}
+
 TEST(StereoDepth, NeedsABaseline) {
   auto pair = StereoScene().record();
   pair->rightCameraPose = {};

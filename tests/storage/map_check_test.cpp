@@ -41,6 +41,11 @@ class MapCheckTest : public testing::Test {
   std::filesystem::path path_ = folder_.path() / "ward.wardmap";
 };
 
+TEST_F(MapCheckTest, TablesOfOtherProgramsMayHaveAnyName) {
+  const std::string odd = R"sql("notes"";--'of ours" ("a ""b"" c" INTEGER))sql";
+  EXPECT_THAT(damagedWard("CREATE TABLE " + odd).check(), IsEmpty());
+}
+
 TEST_F(MapCheckTest, FindsWhatIsOutOfBounds) {
   const std::vector<std::pair<std::string, std::string>> damages = {
       {"UPDATE keyframes SET x_m = 1e308 WHERE id = 2", "x_m is impossible"},

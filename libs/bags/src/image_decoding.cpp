@@ -10,11 +10,11 @@
 
 #include "byte_cursor.h"
 #include "compressed_depth.h"
+#include "wardslam/core/image_header.h"
 
 namespace wardslam::bags {
 namespace {
 
-constexpr std::uint32_t kLargest_px = 16384;
 constexpr double kStepOfMetres_m = 0.0002;
 constexpr double kMillimetre_m = 0.001;
 constexpr std::size_t kDepthHeader_bytes = 12;
@@ -39,7 +39,8 @@ std::string sizeText(std::uint32_t width_px, std::uint32_t height_px) {
 }
 
 void requireSize(std::uint32_t width_px, std::uint32_t height_px) {
-  if (width_px > 0 && height_px > 0 && width_px <= kLargest_px && height_px <= kLargest_px) return;
+  if (width_px > 0 && height_px > 0 && width_px <= core::kLargestImage_px && height_px <= core::kLargestImage_px)
+    return;
   fail("claims an image of " + sizeText(width_px, height_px) + " pixels");
 }
 
@@ -87,32 +88,14 @@ DepthImage fromMetres(const cv::Mat& depth_m) {
   return depth;
 }
 
-std::uint32_t bigEndian(const std::uint8_t* bytes, int count) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < count; ++i) value = value << 8U | bytes[i];
-  return value;
-}
-
-/// Of a PNG, its head; of a JPEG, the first frame's. Before anything is unpacked.
+/// Before anything is unpacked.
 void requireDecodableSize(ByteView file) {
-  constexpr std::size_t kPngHead_bytes = 24;
-  if (file.size >= kPngHead_bytes && file.data[0] == 0x89 && file.data[1] == 'P') {
-    requireSize(bigEndian(file.data + 16, 4), bigEndian(file.data + 20, 4));
-    return;
-  }
-  if (file.size < 4 || file.data[0] != 0xFF || file.data[1] != 0xD8) {
+  const core::ImageHeader header = core::imageHeader(file.data, file.size);
+  if (header.kind == core::ImageHeader::Kind::Jpeg && header.width_px == 0) fail("is a JPEG without a frame");
+  if (header.kind != core::ImageHeader::Kind::Png && header.kind != core::ImageHeader::Kind::Jpeg) {
     fail("is a compressed image that is neither JPEG nor PNG");
   }
-  for (std::size_t at = 2; at + 9 < file.size && file.data[at] == 0xFF;) {
-    const std::uint8_t marker = file.data[at + 1];
-    const bool isFrame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
-    if (isFrame) {
-      requireSize(bigEndian(file.data + at + 7, 2), bigEndian(file.data + at + 5, 2));
-      return;
-    }
-    at += marker == 0xFF ? 1 : 2 + bigEndian(file.data + at + 2, 2);
-  }
-  fail("is a JPEG without a frame");
+  requireSize(header.width_px, header.height_px);
 }
 
 cv::Mat unpack(ByteView file, int flags) {

@@ -60,6 +60,14 @@ float spreadAround(const cv::Mat& depth_m, const cv::Point& pixel) {
   return std::sqrt(squares_m2 / measured);
 }
 
+/// Nothing where there is no depth image.
+void readDepth(const cv::Mat& depth_m, core::Keypoint& keypoint) {
+  if (depth_m.empty()) return;
+  const cv::Point pixel = core::nearestPixel(keypoint.raw_px, depth_m.size());
+  keypoint.depth_m = depth_m.at<float>(pixel);
+  if (keypoint.hasDepth()) keypoint.depthSpread_m = spreadAround(depth_m, pixel);
+}
+
 }  // namespace
 
 OrbExtractor::OrbExtractor(const OrbOptions& options) : options_(options) {}
@@ -82,9 +90,7 @@ core::Features OrbExtractor::extract(const cv::Mat& gray, const cv::Mat& depth_m
     core::Keypoint& keypoint = features.keypoints[i];
     keypoint.raw_px = raw_px[i];
     keypoint.undistorted_px = undistorted_px[i];
-    const cv::Point pixel = core::nearestPixel(raw_px[i], depth_m.size());
-    keypoint.depth_m = depth_m.at<float>(pixel);
-    if (keypoint.hasDepth()) keypoint.depthSpread_m = spreadAround(depth_m, pixel);
+    readDepth(depth_m, keypoint);
     keypoint.angle_rad = chosen[i].angle * static_cast<float>(CV_PI / 180.0);
     keypoint.response = chosen[i].response;
     keypoint.scale = static_cast<float>(std::pow(options_.scale_factor, chosen[i].octave));

@@ -1,12 +1,15 @@
 #include "wardslam/mapping/depth_points.h"
 
+#include <cmath>
+
 namespace wardslam::mapping {
 
 std::vector<DepthPoint> depthPoints(const cv::Mat& depth_m, const core::CameraModel& camera, int step_px) {
   std::vector<cv::Point2f> raw_px;
   for (int y = 0; y < depth_m.rows; y += step_px) {
     for (int x = 0; x < depth_m.cols; x += step_px) {
-      if (depth_m.at<float>(y, x) > 0.0F) raw_px.emplace_back(static_cast<float>(x), static_cast<float>(y));
+      const float z_m = depth_m.at<float>(y, x);
+      if (z_m > 0.0F && std::isfinite(z_m)) raw_px.emplace_back(static_cast<float>(x), static_cast<float>(y));
     }
   }
   const auto undistorted_px = camera.undistort(raw_px);

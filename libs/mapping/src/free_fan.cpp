@@ -81,7 +81,7 @@ class Panorama {
   void add(const Eigen::Vector3d& p_ground_m) {
     const double bearing_rad = std::remainder(std::atan2(p_ground_m.y(), p_ground_m.x()) - heading_rad_, 2.0 * M_PI);
     const double index = (M_PI / 2.0 - bearing_rad) / kFanDirection_rad;
-    if (index < 0.0 || index >= static_cast<double>(directions_.size())) return;
+    if (!(index >= 0.0 && index < static_cast<double>(directions_.size()))) return;
     directions_[static_cast<std::size_t>(index)].push_back({p_ground_m.head<2>().norm(), p_ground_m.z()});
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raw_png.h"
+#include "wardslam/core/image_header.h"
 
 namespace wardslam::segmentation {
 namespace {
@@ -17,9 +18,13 @@ std::vector<char> readBytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+bool isTooLarge(const std::vector<char>& bytes) {
+  return core::imageHeader(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()).isTooLarge();
+}
+
 // Without what cv::imread would print where a file is missing.
 cv::Mat decode(const std::vector<char>& bytes) {
-  if (bytes.empty()) return {};
+  if (bytes.empty() || isTooLarge(bytes)) return {};
   try {
     return cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception&) {
@@ -55,6 +60,7 @@ cv::Mat readUnchanged(const fs::path& file) { return decode(readBytes(file)); }
 
 MaskFile readMaskFile(const fs::path& file) {
   const auto bytes = readBytes(file);
+  if (isTooLarge(bytes)) return refused(file, "claims to be larger than the image of any camera; leave it out");
   const RawPng png = readRawPng(bytes);
   MaskFile mask;
   mask.values = png.values;
@@ -69,7 +75,9 @@ MaskFile readMaskFile(const fs::path& file) {
   if (mask.values.depth() == CV_8U) return mask;
   double largest = 0.0;
   cv::minMaxLoc(mask.values, nullptr, &largest);
-  if (mask.values.depth() != CV_16U || largest > 255.0) {
+  if (mask.values.depth() != CV_16U)
+    return refused(file, std::string("is not of whole numbers of 8 or 16 bits; ") + kSaveIds);
+  if (largest > 255.0) {
     return refused(file, "holds the number " + std::to_string(static_cast<int>(largest)) +
                              ", but class ids go to 255; " + kSaveIds);
   }

@@ -12,8 +12,11 @@
 namespace wardslam::segmentation {
 namespace {
 
-// Microseconds as integers: stamps that went through text and back compare equal.
-std::int64_t toMicroseconds(double stamp_s) { return std::llround(stamp_s * 1e6); }
+// Microseconds as integers: stamps that went through text and back compare equal. Within what can be subtracted.
+std::int64_t toMicroseconds(double stamp_s) {
+  constexpr double kLatest_us = 4e18;
+  return std::llround(std::clamp(stamp_s * 1e6, -kLatest_us, kLatest_us));
+}
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),

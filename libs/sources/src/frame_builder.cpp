@@ -11,6 +11,7 @@
 
 #include "depth_registration.h"
 #include "observation_check.h"
+#include "still_images.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/view_rays.h"
@@ -99,7 +100,8 @@ class FrameBuilder::DepthConverter {
   std::optional<DepthRegistration> registration_;
 };
 
-FrameBuilder::FrameBuilder() : depthConverter_(std::make_unique<DepthConverter>()) {}
+FrameBuilder::FrameBuilder()
+    : depthConverter_(std::make_unique<DepthConverter>()), stillImages_(std::make_unique<StillImages>()) {}
 FrameBuilder::~FrameBuilder() = default;
 FrameBuilder::FrameBuilder(FrameBuilder&&) noexcept = default;
 FrameBuilder& FrameBuilder::operator=(FrameBuilder&&) noexcept = default;
@@ -126,6 +128,7 @@ core::Frame FrameBuilder::build(std::shared_ptr<CObservation3DRangeScan> observa
     cv::cvtColor(image, frame.gray, cv::COLOR_BGR2GRAY);
   }
   frame.depth_m = depthConverter_->convert(*observation);
+  stillImages_->look(frame);
   frame.observation = std::move(observation);
   frame.index = nextIndex_++;
   return frame;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "wardslam/core/image_header.h"
 #include "wardslam/sources/input_damage.h"
 
 namespace wardslam::sources {
@@ -55,9 +56,16 @@ Bytes readCompleteFile(const std::filesystem::path& file) {
 }
 
 cv::Mat decode(const std::filesystem::path& file, int flags) {
+  const Bytes bytes = readCompleteFile(file);
+  const core::ImageHeader header = core::imageHeader(bytes.data(), bytes.size());
+  if (header.isTooLarge()) {
+    throw InputDamage("sources.image_unreadable", file.string() + " claims to be an image of " +
+                                                      std::to_string(header.width_px) + "x" +
+                                                      std::to_string(header.height_px) + " pixels");
+  }
   cv::Mat image;
   try {
-    image = cv::imdecode(readCompleteFile(file), flags | cv::IMREAD_IGNORE_ORIENTATION);
+    image = cv::imdecode(bytes, flags | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
     image.release();  // reported below
   }

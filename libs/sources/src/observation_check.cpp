@@ -3,6 +3,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationStereoImages.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 
@@ -12,6 +13,10 @@ namespace {
 using mrpt::img::TCamera;
 
 constexpr double kLeastBaseline_m = 0.001;
+constexpr double kLongestBaseline_m = 10.0;
+constexpr double kLongestFocus_px = 1e6;
+constexpr double kStrongestLens = 1e4;
+constexpr double kFarthest_m = 1e8;
 
 constexpr const char* kGiveCamera = "give the right --camera";
 constexpr const char* kCorrectRawlog = "correct that with rawlog-edit --camera-params";
@@ -20,10 +25,25 @@ std::string sizeText(std::size_t width_px, std::size_t height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
 
+/// What reckons with other numbers takes for ever, or ends nowhere.
+bool isPossible(const TCamera& camera) {
+  const auto isFocus = [](double focus_px) { return focus_px >= 1.0 && focus_px <= kLongestFocus_px; };
+  const bool isLens =
+      std::all_of(camera.dist.begin(), camera.dist.end(), [](double k) { return std::abs(k) <= kStrongestLens; });
+  return isFocus(camera.fx()) && isFocus(camera.fy()) && isLens;
+}
+
+bool isPossible(const mrpt::poses::CPose3D& pose) {
+  const auto angles = {pose.yaw(), pose.pitch(), pose.roll()};
+  return std::all_of(angles.begin(), angles.end(), [](double angle_rad) { return std::isfinite(angle_rad); }) &&
+         std::abs(pose.x()) <= kFarthest_m && std::abs(pose.y()) <= kFarthest_m && std::abs(pose.z()) <= kFarthest_m;
+}
+
 /// `remedy`: what to do about a wrong calibration.
 std::optional<std::string> whyUnusable(const TCamera& camera, std::size_t width_px, std::size_t height_px,
                                        const std::string& name, const std::string& remedy) {
   if (!(camera.fx() > 0.0 && camera.fy() > 0.0)) return "has no calibration of its " + name + " camera; " + remedy;
+  if (!isPossible(camera)) return "has a calibration of its " + name + " camera that no camera has; " + remedy;
   if (camera.distortion == mrpt::img::DistortionModel::kannala_brandt) {
     return "has a fisheye " + name + " camera; rectify the images and " + remedy;
   }
@@ -49,6 +69,10 @@ std::optional<std::string> whyUnusable(const mrpt::obs::CObservation3DRangeScan&
   if (!observation.hasRangeImage || observation.rangeImage.size() == 0) return "has no range image";
   if (observation.timestamp == INVALID_TIMESTAMP) return "has no time stamp";
   if (!(std::isfinite(observation.rangeUnits) && observation.rangeUnits > 0.0F)) return "has no valid range unit";
+
+  if (!isPossible(observation.sensorPose) || !isPossible(observation.relativePoseIntensityWRTDepth)) {
+    return "has a pose of its camera that is none";
+  }
 
   const cv::Mat& image = observation.intensityImage.asCvMatRef();
   if (!isEightBit(image)) return "has an intensity image that is not 8 bit grey or RGB";
@@ -77,6 +101,9 @@ std::optional<std::string> whyUnusable(const mrpt::obs::CObservationStereoImages
   if (auto reason = whyUnusable(pair.rightCamera, width_px, height_px, "right", kCorrectRawlog)) return reason;
   if (!(pair.rightCameraPose.norm() > kLeastBaseline_m)) {
     return std::string("has both cameras in one place; ") + kCorrectRawlog;
+  }
+  if (!(pair.rightCameraPose.norm() < kLongestBaseline_m)) {
+    return std::string("has its cameras farther apart than any stereo camera; ") + kCorrectRawlog;
   }
   return std::nullopt;
 }

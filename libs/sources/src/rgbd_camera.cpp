@@ -26,6 +26,8 @@ constexpr double kOddRatio = 1.1;   // of the focal lengths
 constexpr double kOddCentre = 0.1;  // of the image's width or height
 constexpr int kSmallest_px = 16;
 constexpr double kLargestFocalLength_px = 1e5;
+constexpr double kLargestCentre_px = 1e6;
+constexpr double kStrongestLens = 1e4;
 
 /// YAML as OpenCV writes it, which the standard's parsers refuse: "%YAML:1.0", "key:value". Lines keep their numbers.
 std::string standardYaml(const fs::path& file) {
@@ -104,6 +106,12 @@ void requireSound(const core::CameraModel& camera, const ConfigNode& root) {
     if (!(focalLength_px >= 1.0 && focalLength_px <= kLargestFocalLength_px)) {
       root.fail("tells no focal length in pixels; calibrate the camera first");
     }
+  }
+  for (const double k : {camera.k1, camera.k2, camera.p1, camera.p2, camera.k3}) {
+    if (!(std::abs(k) <= kStrongestLens)) root.fail("has a coefficient of the lens that no lens has");
+  }
+  for (const double centre_px : {camera.cx_px, camera.cy_px}) {
+    if (!(std::abs(centre_px) <= kLargestCentre_px)) root.fail("has a principal point that no camera has");
   }
   const bool isInside = camera.cx_px >= -0.5 && camera.cx_px <= camera.width_px - 0.5 && camera.cy_px >= -0.5 &&
                         camera.cy_px <= camera.height_px - 0.5;

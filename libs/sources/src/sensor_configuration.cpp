@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
@@ -64,11 +65,25 @@ void requireKey(const CConfigFileBase& ini, const SensorConfiguration& sensor, c
                          (nearest.empty() ? "" : " (the nearest one there is '" + nearest + "')"));
 }
 
+/// MRPT throws where its macros ("$env{", "$eval{") have no end, a headline first.
+mrpt::config::CConfigFile openIni(const std::filesystem::path& file) {
+  try {
+    return mrpt::config::CConfigFile(file.string());
+  } catch (const std::exception& error) {
+    std::istringstream text(error.what());
+    std::string what;
+    while (what.empty() || what.front() == '=') {
+      if (!std::getline(text, what)) break;
+    }
+    throw core::InputError(file.string() + ": is no .ini file that can be read: " + what);
+  }
+}
+
 }  // namespace
 
 SensorConfiguration readSensorConfiguration(const std::filesystem::path& file, const std::string& section) {
   if (!std::filesystem::is_regular_file(file)) throw core::InputError(file.string() + ": no such file");
-  return readSensorConfiguration(mrpt::config::CConfigFile(file.string()), file, section);
+  return readSensorConfiguration(openIni(file), file, section);
 }
 
 SensorConfiguration readSensorConfiguration(const CConfigFileBase& ini, const std::filesystem::path& file,

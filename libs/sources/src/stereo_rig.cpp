@@ -64,6 +64,19 @@ StereoRig rectify(const core::CameraModel& left, const core::CameraModel& right,
   return rig;
 }
 
+/// Lenses and poses that no pair of cameras has can lead anywhere.
+StereoRig requireSound(StereoRig rig) {
+  constexpr double kLongestFocus_px = 1e6;
+  constexpr double kLongestBaseline_m = 10.0;
+  const core::CameraModel& camera = rig.camera;
+  const bool isSound = camera.fx_px >= 1.0 && camera.fx_px <= kLongestFocus_px && std::isfinite(camera.fy_px) &&
+                       std::isfinite(camera.cx_px) && std::isfinite(camera.cy_px) && rig.baseline_m > 0.0 &&
+                       rig.baseline_m <= kLongestBaseline_m && rig.R_left_rectified.allFinite();
+  if (isSound) return rig;
+  throw core::FrameError(
+      "the calibration of the stereo pair cannot be rectified; correct it with rawlog-edit --camera-params");
+}
+
 }  // namespace
 
 StereoRig rigOf(const mrpt::obs::CObservationStereoImages& pair) {
@@ -76,7 +89,7 @@ StereoRig rigOf(const mrpt::obs::CObservationStereoImages& pair) {
         "the right camera of the stereo pair does not stand to the right of the left one; correct its pose with "
         "rawlog-edit --camera-params (x to the right, z forward)");
   }
-  if (!isRectified(left, right, T_left_right)) return rectify(left, right, T_left_right);
+  if (!isRectified(left, right, T_left_right)) return requireSound(rectify(left, right, T_left_right));
   StereoRig rig;
   rig.camera = left;
   rig.baseline_m = t_m.x();

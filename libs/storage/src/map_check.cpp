@@ -54,24 +54,31 @@ std::vector<Column> columnsOf(SQLite::Database& database) {
   return columns;
 }
 
+/// A name as SQL, whatever is in it: other programs may have made tables of their own.
+std::string quoted(const std::string& name) {
+  std::string sql = "\"";
+  for (const char letter : name) sql += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return sql + '"';
+}
+
 /// What a value of the column must be, as SQL: what other programs write need not be what the column is for.
 std::string conditionOn(const Column& column) {
+  const std::string name = quoted(column.name);
   if (column.type == "INTEGER") {
-    return "typeof(" + column.name + ") = 'integer' AND " + column.name + " BETWEEN 0 AND " +
-           std::to_string(kHighestId);
+    return "typeof(" + name + ") = 'integer' AND " + name + " BETWEEN 0 AND " + std::to_string(kHighestId);
   }
   if (column.type == "REAL") {
-    return "typeof(" + column.name + ") IN ('real', 'integer') AND abs(" + column.name + ") <= " + kLargest;
+    return "typeof(" + name + ") IN ('real', 'integer') AND abs(" + name + ") <= " + kLargest;
   }
-  if (column.type == "TEXT") return "typeof(" + column.name + ") = 'text'";
-  if (column.type == "BLOB") return "typeof(" + column.name + ") = 'blob'";
+  if (column.type == "TEXT") return "typeof(" + name + ") = 'text'";
+  if (column.type == "BLOB") return "typeof(" + name + ") = 'blob'";
   return "1";  // properties: each is of its own kind
 }
 
 /// Every column of every table, also of those that nobody reads.
 void checkTypes(SQLite::Database& database, Problems& problems) {
   for (const Column& column : columnsOf(database)) {
-    const std::string sql = "SELECT count(*) FROM " + column.table + " WHERE NOT (" + conditionOn(column) + ")";
+    const std::string sql = "SELECT count(*) FROM " + quoted(column.table) + " WHERE NOT (" + conditionOn(column) + ")";
     const std::int64_t found = database.execAndGet(sql).getInt64();
     if (found > 0) {
       problems.push_back("in " + std::to_string(found) + " rows of " + column.table + " the " + column.name +

@@ -101,6 +101,7 @@ void configure(SQLite::Database& database) {
   database.exec("PRAGMA synchronous = EXTRA");  // the folder, too: a commit is one when the journal is gone
   database.exec("PRAGMA secure_delete = ON");   // what is erased may be of people: it is overwritten
   database.exec("PRAGMA temp_store = MEMORY");
+  database.exec("PRAGMA trusted_schema = OFF");  // views and triggers that somebody else put there
 }
 
 /// Writable where permitted, also for readers: they may have to undo what a killed process left half written.

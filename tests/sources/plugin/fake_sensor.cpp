@@ -34,6 +34,9 @@ class FakeSensor : public mrpt::hwdrivers::CGenericSensor {
     auto scan = makeScan(number_, (resizes ? 2 : 1) * width_px_, (resizes ? 2 : 1) * height_px_);
     scan->timestamp = mrpt::Clock::now();
     const bool isOnce = number_ == goodFrames_ + 1;
+    if (isTrouble && (trouble_ == "clock_set_back" || (isOnce && trouble_ == "clock_set_back_once"))) {
+      scan->timestamp -= std::chrono::hours(1);
+    }
     if (isTrouble && (trouble_ == "depth_only" || (isOnce && trouble_ == "depth_only_once"))) {
       scan->hasIntensityImage = false;
     }

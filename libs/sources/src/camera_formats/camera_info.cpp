@@ -10,8 +10,8 @@ std::optional<RgbdCamera> readCameraInfo(const core::ConfigNode& root) {
   if (!matrix.exists() || !matrix.yaml().IsSequence()) return std::nullopt;
   requirePlumbBob(root.child("distortion_model"));
   RgbdCamera camera;
-  camera.color.width_px = static_cast<int>(numberAt(root, "width"));
-  camera.color.height_px = static_cast<int>(numberAt(root, "height"));
+  camera.color.width_px = pixelsAt(root, "width");
+  camera.color.height_px = pixelsAt(root, "height");
   setMatrix(camera.color, numbersAt(matrix, 9));
   const auto lens = firstChild(root, {"D", "d"});
   if (lens.exists()) setPlumbBob(camera.color, numbersAt(lens, 0), lens);

@@ -8,16 +8,16 @@ void setSize(core::CameraModel& camera, const core::ConfigNode& root) {
   const auto size = firstChild(root, {"image_size", "imageSize", "ImageSize"});
   if (size.exists()) {
     const auto numbers = numbersAt(size.yaml().IsMap() ? size.child("data") : size, 2);
-    camera.width_px = static_cast<int>(numbers[0]);
-    camera.height_px = static_cast<int>(numbers[1]);
+    camera.width_px = pixelsIn(numbers[0], size);
+    camera.height_px = pixelsIn(numbers[1], size);
     return;
   }
   for (const auto& [width, height] :
        {std::pair("image_width", "image_height"), std::pair("image_Width", "image_Height"),
         std::pair("imageWidth", "imageHeight"), std::pair("width", "height")}) {
     if (!root.child(width).exists()) continue;
-    camera.width_px = static_cast<int>(numberAt(root, width));
-    camera.height_px = static_cast<int>(numberAt(root, height));
+    camera.width_px = pixelsAt(root, width);
+    camera.height_px = pixelsAt(root, height);
     return;
   }
 }

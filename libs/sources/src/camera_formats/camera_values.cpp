@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wardslam/core/image_header.h"
+
 namespace wardslam::sources {
 namespace {
 
@@ -28,6 +30,15 @@ double numberAt(const ConfigNode& node, const std::string& key, double otherwise
   const ConfigNode value = node.child(key);
   return value.exists() ? numberIn(value) : otherwise;
 }
+
+int pixelsIn(double number, const ConfigNode& where) {
+  if (!(number >= 0.0 && number <= core::kLargestImage_px)) {
+    where.fail("a width or height of at most " + std::to_string(core::kLargestImage_px) + " pixels is expected here");
+  }
+  return static_cast<int>(number);
+}
+
+int pixelsAt(const ConfigNode& node, const std::string& key) { return pixelsIn(numberAt(node, key), node.child(key)); }
 
 std::vector<double> numbersAt(const ConfigNode& list, std::size_t least) {
   std::vector<double> numbers;

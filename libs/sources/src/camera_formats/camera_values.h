@@ -14,6 +14,10 @@ namespace wardslam::sources {
 [[nodiscard]] double numberAt(const core::ConfigNode& node, const std::string& key);
 [[nodiscard]] double numberAt(const core::ConfigNode& node, const std::string& key, double otherwise);
 
+/// A width or a height: whole pixels, no more than any image has. Throws core::InputError where it is none.
+[[nodiscard]] int pixelsIn(double number, const core::ConfigNode& where);
+[[nodiscard]] int pixelsAt(const core::ConfigNode& node, const std::string& key);
+
 /// At least `least` numbers.
 [[nodiscard]] std::vector<double> numbersAt(const core::ConfigNode& list, std::size_t least);
 

@@ -16,8 +16,8 @@ std::optional<RgbdCamera> readKalibrCamera(const core::ConfigNode& root) {
   const auto intrinsics = numbersAt(section.child("intrinsics"), 4);
   const auto resolution = numbersAt(section.child("resolution"), 2);
   RgbdCamera camera;
-  camera.color.width_px = static_cast<int>(resolution[0]);
-  camera.color.height_px = static_cast<int>(resolution[1]);
+  camera.color.width_px = pixelsIn(resolution[0], section);
+  camera.color.height_px = pixelsIn(resolution[1], section);
   camera.color.fx_px = intrinsics[0];
   camera.color.fy_px = intrinsics[1];
   camera.color.cx_px = intrinsics[2];

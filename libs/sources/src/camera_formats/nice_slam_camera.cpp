@@ -9,8 +9,8 @@ std::optional<RgbdCamera> readNiceSlamCamera(const core::ConfigNode& root) {
   const core::ConfigNode section = root.child("cam");
   if (!section.exists() || !section.yaml().IsMap() || !section.child("fx").exists()) return std::nullopt;
   RgbdCamera camera;
-  camera.color.width_px = static_cast<int>(numberAt(section, "W"));
-  camera.color.height_px = static_cast<int>(numberAt(section, "H"));
+  camera.color.width_px = pixelsAt(section, "W");
+  camera.color.height_px = pixelsAt(section, "H");
   setPinhole(camera.color, section);
   const auto lens = section.child("distortion");
   if (lens.exists()) setPlumbBob(camera.color, numbersAt(lens, 0), lens);

@@ -10,8 +10,8 @@ std::optional<RgbdCamera> readOpen3dCamera(const core::ConfigNode& root) {
   if (!matrix.exists() || !matrix.yaml().IsSequence()) return std::nullopt;
   const auto columns = numbersAt(matrix, 9);
   RgbdCamera camera;
-  camera.color.width_px = static_cast<int>(numberAt(root, "width"));
-  camera.color.height_px = static_cast<int>(numberAt(root, "height"));
+  camera.color.width_px = pixelsAt(root, "width");
+  camera.color.height_px = pixelsAt(root, "height");
   camera.color.fx_px = columns[0];
   camera.color.fy_px = columns[4];
   camera.color.cx_px = columns[6];

@@ -20,8 +20,8 @@ std::optional<RgbdCamera> readOrbSlamCamera(const core::ConfigNode& root) {
   camera.color.p1 = numberAt(root, prefix + "p1", 0.0);
   camera.color.p2 = numberAt(root, prefix + "p2", 0.0);
   camera.color.k3 = numberAt(root, prefix + "k3", 0.0);
-  camera.color.width_px = static_cast<int>(numberAt(root, "Camera.width", numberAt(root, "Camera.cols", 0.0)));
-  camera.color.height_px = static_cast<int>(numberAt(root, "Camera.height", numberAt(root, "Camera.rows", 0.0)));
+  camera.color.width_px = pixelsIn(numberAt(root, "Camera.width", numberAt(root, "Camera.cols", 0.0)), root);
+  camera.color.height_px = pixelsIn(numberAt(root, "Camera.height", numberAt(root, "Camera.rows", 0.0)), root);
   camera.rate_hz = numberAt(root, "Camera.fps", camera.rate_hz);
   return camera;
 }

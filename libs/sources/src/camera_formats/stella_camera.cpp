@@ -10,8 +10,8 @@ std::optional<RgbdCamera> readStellaCamera(const core::ConfigNode& root) {
   if (!section.exists() || !section.yaml().IsMap() || !section.child("fx").exists()) return std::nullopt;
   requirePlumbBob(section.child("model"));
   RgbdCamera camera;
-  camera.color.width_px = static_cast<int>(numberAt(section, "cols"));
-  camera.color.height_px = static_cast<int>(numberAt(section, "rows"));
+  camera.color.width_px = pixelsAt(section, "cols");
+  camera.color.height_px = pixelsAt(section, "rows");
   setPinhole(camera.color, section);
   camera.color.k1 = numberAt(section, "k1", 0.0);
   camera.color.k2 = numberAt(section, "k2", 0.0);

@@ -32,7 +32,8 @@ class OrbExtractor {
  public:
   explicit OrbExtractor(const OrbOptions& options);
 
-  /// `gray`: CV_8UC1, raw image. `depth_m`: CV_32FC1 of the same size, 0 = none. Key points come finest level first.
+  /// `gray`: CV_8UC1, raw image. `depth_m`: CV_32FC1 of the same size, 0 = none; empty: none anywhere. Key points come
+  /// finest level first.
   [[nodiscard]] core::Features extract(const cv::Mat& gray, const cv::Mat& depth_m,
                                        const core::CameraModel& camera) const;
 

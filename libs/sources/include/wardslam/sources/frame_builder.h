@@ -7,6 +7,8 @@
 
 namespace wardslam::sources {
 
+class StillImages;
+
 /// Turns observations into frames: colour and grey image, and depth in metres, registered to the colour image where
 /// the observation says that the two cameras do not coincide.
 class FrameBuilder {
@@ -22,7 +24,8 @@ class FrameBuilder {
   /// Keeps a reference to the observation in Frame::observation; the colour image shares its memory. Depth that is
   /// farther than any such camera can see becomes 0. Throws core::FrameError when image or range image are missing,
   /// or have no calibration or not the size that it says, and for an image that is not as large as the first: filters
-  /// and tracking compare images with those before them.
+  /// and tracking compare images with those before them. Depth that stands still while colours go on is none; the
+  /// frame counts it ("sources.depth_still"), and colour images that are repeated ("sources.image_repeated").
   [[nodiscard]] core::Frame build(std::shared_ptr<mrpt::obs::CObservation3DRangeScan> observation);
 
  private:
@@ -34,6 +37,7 @@ class FrameBuilder {
   std::uint64_t nextIndex_ = 0;
   core::SensorTraits traits_;
   std::unique_ptr<DepthConverter> depthConverter_;
+  std::unique_ptr<StillImages> stillImages_;
 };
 
 }  // namespace wardslam::sources
