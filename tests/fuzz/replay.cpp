@@ -92,7 +92,7 @@ class Mutator {
   std::mt19937 random_;
 };
 
-Input read(const std::filesystem::path& file) {
+Input contentOf(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   std::vector<Input> seeds(files.size());
-  std::transform(files.begin(), files.end(), seeds.begin(), read);
+  std::transform(files.begin(), files.end(), seeds.begin(), contentOf);
   run({}, "nothing", 0);
   for (std::size_t i = 0; i < files.size(); ++i) run(seeds[i], files[i], 0);
   Mutator mutator(1);
