@@ -7,6 +7,7 @@
 
 #include "free_fan.h"
 #include "known_ground.h"
+#include "looks_between_runs.h"
 #include "map_part.h"
 #include "recognition.h"
 #include "same_things.h"
@@ -39,6 +40,7 @@ class MapBuilder::Impl {
   void addKeyframe(const odometry::Keyframe& keyframe);
   void apply(const odometry::MapUpdate& update);
   void add(const View& view);
+  void compareRuns(const Views& views, const odometry::Pieces& joined);
   SemanticMap map();
   SemanticMap map(const MapParts& parts);
   [[nodiscard]] MapMemory memory(const std::set<KeyframeId>& tiles) const;
@@ -255,6 +257,17 @@ std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View&
                               nextId_);
 }
 
+void MapBuilder::Impl::compareRuns(const Views& views, const odometry::Pieces& joined) {
+  const LooksByPiece looks = looksOf(views, keyframes_);
+  for (auto& [piece, part] : parts_) {
+    double until_s = 0.0;
+    for (const auto& [id, keyframe] : keyframes_) {
+      if (keyframe.piece == piece) until_s = std::max(until_s, keyframe.stamp_s);
+    }
+    removeGone(part, compareWith(looksOfOthers(piece, looks, joined), part, until_s));
+  }
+}
+
 void MapBuilder::Impl::takeMerges(Part& part) {
   for (const auto& [from, into] : part.objects.takeMerges()) {
     part.cloud.renameObject(from, into);
@@ -427,6 +440,7 @@ void MapBuilder::restore(const SemanticMap& earlier, const MapMemory& memory) { 
 void MapBuilder::addKeyframe(const odometry::Keyframe& keyframe) { impl_->addKeyframe(keyframe); }
 void MapBuilder::apply(const odometry::MapUpdate& update) { impl_->apply(update); }
 void MapBuilder::add(const View& view) { impl_->add(view); }
+void MapBuilder::compareRuns(const Views& views, const odometry::Pieces& joined) { impl_->compareRuns(views, joined); }
 SemanticMap MapBuilder::map() { return impl_->map(); }
 SemanticMap MapBuilder::map(const MapParts& parts) { return impl_->map(parts); }
 FloorSeen MapBuilder::floorSeen() const { return impl_->floorSeen(); }
