@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "map_export_command.h"
+#include "map_merge_command.h"
 #include "map_report.h"
 #include "map_view_command.h"
 #include "stored_map.h"
@@ -213,6 +214,7 @@ void addMapCommand(CLI::App& app) {
   addVerb(*command, "diff", "What moved, is gone or is new from FILE to OTHER, two maps of one place", diff, arguments)
       ->add_option("OTHER", arguments->other, "the later map (.wardmap), in the same map frame")
       ->required();
+  addMapMergeCommands(*command);
   addMapExportCommand(*command);
   addMapViewCommand(*command);
   addVerb(*command, "check", "Whether the whole file can be read and holds together", check, arguments);

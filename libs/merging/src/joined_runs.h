@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "runs.h"
+#include "wardslam/graph/mapper.h"
+
+namespace wardslam::merging {
+
+/// The graphs of several runs, one where places connect them.
+struct JoinedRuns {
+  graph::SavedGraph graph;                    ///< Where all is in the end; `submap` is the piece.
+  odometry::Pieces pieces;                    ///< Which pieces of the runs are one by now.
+  std::vector<odometry::SubmapJoin> joins;    ///< In their order.
+  std::vector<graph::Loop> looksBetweenRuns;  ///< As measured: how a keyframe of one stood, seen from one of another.
+  std::uint32_t map = 0;                      ///< The largest piece, by the number that the others were joined to.
+};
+
+/// Has every run look for places of those before it, and adjusts what that ties together. Pieces that nothing connects
+/// stay as they are, to the last bit.
+[[nodiscard]] JoinedRuns joinRuns(const std::vector<Run>& runs, const pipeline::SlamOptions& options,
+                                  const ProgressSink& progress);
+
+}  // namespace wardslam::merging
