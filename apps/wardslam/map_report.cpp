@@ -50,12 +50,26 @@ std::size_t objectsIn(const query::MapQuery& query, const std::string& zone) {
   return query.objects(filter).size();
 }
 
+Json toJson(const std::vector<storage::PieceInfo>& parts) {
+  Json list = Json::array();
+  for (const auto& part : parts) {
+    list.push_back({{"piece", part.piece},
+                    {"is_map", part.isMap},
+                    {"keyframes", part.keyframes},
+                    {"first_stamp", part.firstStamp_s},
+                    {"last_stamp", part.lastStamp_s},
+                    {"from", part.from}});
+  }
+  return list;
+}
+
 }  // namespace
 
 Json toJson(const storage::MapFileInfo& info, const mapping::FloorPlan& plan) {
   return {{"schema_version", info.schemaVersion},
           {"size_bytes", info.size_bytes},
           {"pieces", info.pieces},
+          {"parts", toJson(info.parts)},
           {"keyframes_unjoined", info.keyframesElsewhere},
           {"keyframes", info.keyframes},
           {"first_stamp", info.firstStamp_s},
@@ -137,6 +151,11 @@ void print(std::ostream& out, const storage::MapFileInfo& info, const mapping::F
   if (info.keyframesElsewhere > 0) {
     table.add({"pieces not joined", std::to_string(info.pieces - 1)});
     table.add({"  keyframes", std::to_string(info.keyframesElsewhere)});
+  }
+  for (const auto& part : info.parts) {
+    if (part.from.empty()) continue;
+    table.add({part.isMap ? "the map is of" : "a part by itself is of",
+               part.from + " (" + std::to_string(part.keyframes) + " keyframes)"});
   }
   table.add({"loops", std::to_string(info.loops)});
   table.add({"tracking points", std::to_string(info.trackingPoints)});

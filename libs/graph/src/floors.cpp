@@ -21,9 +21,11 @@ constexpr double kDriftHeight_m = 0.02;
 
 constexpr double kMostTilt_rad = 1.5 * M_PI / 180.0;  // less than any ramp worth the name
 constexpr double kMostStep_m = 0.05;                  // and than any step
-constexpr double kChiSquare = 11.345;                 // 99 % of three components are below
-constexpr double kWayBack_m = 5.0;                    // to a keyframe that saw the ground, if those since did not
-constexpr double kKernel = 3.0;                       // standard deviations
+constexpr double kMostTiltOfLook_rad = 3.0 * M_PI / 180.0;
+constexpr double kMostStepOfLook_m = 0.15;
+constexpr double kChiSquare = 11.345;  // 99 % of three components are below
+constexpr double kWayBack_m = 5.0;     // to a keyframe that saw the ground, if those since did not
+constexpr double kKernel = 3.0;        // standard deviations
 constexpr int kRounds = 3;
 
 Eigen::Matrix3d R_map_floor(const Eigen::Vector3d& normal_map) {
@@ -182,6 +184,18 @@ void findFloor(KeyframeGraph& graph, KeyframeId id, std::size_t minSharedPoints)
     const core::GroundPlane other = fitFloor(graph, standingOn(graph, floors[i])).under(T_map_cam);
     if (agree(plane, other, kMostStep_m)) unite(graph, floors[i], floors.front());
   }
+}
+
+bool uniteFloors(KeyframeGraph& graph, KeyframeId older, KeyframeId newer) {
+  const KeyframeNode& node = graph.keyframes().at(newer);
+  const KeyframeId floor = graph.keyframes().at(older).floor;
+  if (floor == 0 || node.floor == 0 || floor == node.floor) return false;
+  const core::GroundPlane one = fitFloor(graph, standingOn(graph, floor)).under(node.T_map_cam);
+  const core::GroundPlane other = fitFloor(graph, standingOn(graph, node.floor)).under(node.T_map_cam);
+  const bool isLevel = one.normal_cam.dot(other.normal_cam) > std::cos(kMostTiltOfLook_rad);
+  if (!isLevel || std::abs(one.height_m - other.height_m) > kMostStepOfLook_m) return false;
+  unite(graph, node.floor, floor);
+  return true;
 }
 
 }  // namespace wardslam::graph

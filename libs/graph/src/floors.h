@@ -41,4 +41,8 @@ constexpr std::size_t kFewestOnFloor = 3;
 /// there.
 void findFloor(KeyframeGraph& graph, KeyframeId keyframe, std::size_t minSharedPoints);
 
+/// Two keyframes of runs that knew nothing of each other are known to be in one place: where both see a floor and that
+/// is one plane (some 3 degrees, 15 cm: a look from afar is no more exact), their floors are one. Whether it was so.
+bool uniteFloors(KeyframeGraph& graph, KeyframeId older, KeyframeId newer);
+
 }  // namespace wardslam::graph

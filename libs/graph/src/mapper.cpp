@@ -55,17 +55,25 @@ void Mapper::restore(const SavedGraph& saved, Saved use) {
   if (saved.keyframes.empty()) return;
   keptMap_ = saved.map;
   pieces_ = odometry::Pieces(saved.map);
+  takeIn(saved);
+  if (use == Saved::IsHeld) graph_.hold();
+  rememberPlacesOf(saved);
+}
+
+void Mapper::takeIn(const SavedGraph& saved) {
   for (const auto& keyframe : saved.keyframes) {
     graph_.restore(keyframe, saved.p_map_m);
     pieces_.add(keyframe->id, keyframe->submap);
-    rememberPlace(keyframe->id);
   }
   for (const auto& keyframe : saved.keyframes) findFloorOf(keyframe->id);
   for (const Loop& loop : saved.loops) {
     const bool isTied = graph_.keyframes().count(loop.older) > 0 && graph_.keyframes().count(loop.newer) > 0;
     if (isTied) loops_.push_back(loop);
   }
-  if (use == Saved::IsHeld) graph_.hold();
+}
+
+void Mapper::rememberPlacesOf(const SavedGraph& saved) {
+  for (const auto& keyframe : saved.keyframes) rememberPlace(keyframe->id);
   places_.build();
 }
 
@@ -80,7 +88,7 @@ odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyfram
   if (options_.cull_keyframes) cullKeyframes(keyframe->id, update);
   if (options_.close_loops) {
     rememberPlaces(keyframe->id);
-    const auto loops = confirmation_->confirm(graph_, keyframe->id, recognise(keyframe->id));
+    const auto loops = confirmation_->confirm(graph_, keyframe->id, recognise(keyframe->id, keyframe->id));
     if (!loops.empty() && !areMistakable(loops)) close(loops, stop, update);
   }
   recallAround(keyframe->id, update);
@@ -183,7 +191,8 @@ void Mapper::rememberPlace(KeyframeId id) {
   places_.add(id, descriptors);
 }
 
-std::vector<Loop> Mapper::recognise(KeyframeId newest) {
+/// Among the keyframes before that one.
+std::vector<Loop> Mapper::recognise(KeyframeId newest, KeyframeId before) {
   std::set<KeyframeId> known{newest};
   for (const auto& [id, shared] : graph_.covisible(newest)) known.insert(id);
   std::vector<KeyframeId> candidates = confirmation_->expected(graph_, newest);
@@ -194,7 +203,7 @@ std::vector<Loop> Mapper::recognise(KeyframeId newest) {
   for (const KeyframeId alike : places_.candidates(features, known)) candidates.push_back(alike);
   std::vector<Loop> seen;
   for (const KeyframeId candidate : candidates) {
-    if (known.count(candidate) != 0) continue;
+    if (candidate >= before || known.count(candidate) != 0) continue;
     const auto place = verification_.placeAround(graph_, candidate);
     const bool isTiedAlready =
         std::any_of(place.begin(), place.end(), [&](KeyframeId id) { return known.count(id) != 0; });

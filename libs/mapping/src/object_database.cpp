@@ -228,6 +228,13 @@ std::vector<ObjectId> ObjectDatabase::erase(const std::map<ObjectId, std::size_t
   return gone;
 }
 
+void ObjectDatabase::lose(ObjectId id, double lastSeen_s) {
+  ObjectRecord& object = objects_.at(id);
+  if (object.state == ObjectState::Gone) return;
+  object.state = ObjectState::Gone;
+  object.gone_s = lastSeen_s;
+}
+
 void ObjectDatabase::reunite(ObjectId lost, ObjectId found) {
   const int viewsToRest = objects_.at(found).viewsToRest;
   const Eigen::Vector3f place_m = objects_.at(found).lastPlace_m;

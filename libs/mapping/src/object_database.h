@@ -73,6 +73,11 @@ class ObjectDatabase {
   std::vector<ObjectId> erase(const std::map<ObjectId, std::size_t>& points,
                               const std::map<ObjectId, std::size_t>& left, double stamp_s);
 
+  /// It was taken away between two runs: since it was seen last, nobody knows when.
+  void lose(ObjectId id, double lastSeen_s);
+  /// Another run had seen nothing where it stands, before it was first seen there.
+  void noteEmptyPlace(ObjectId id) { objects_.at(id).placeWasEmpty = true; }
+
   /// A thing that was lost and the same thing, seen since at another place, are one that moved; it keeps its first id.
   void reunite(ObjectId lost, ObjectId found);
 

@@ -300,6 +300,11 @@ void SemanticCloud::eraseObject(ObjectId object) {
   erase(std::move(gone));
 }
 
+void SemanticCloud::remove(const std::vector<PointRef>& points) {
+  for (const PointRef& ref : points) index_.erase(at(ref).cell);
+  erase(points);
+}
+
 void SemanticCloud::touchObject(ObjectId object) {
   for (const Tile& tile : tiles_) {
     const bool hasIt = std::any_of(tile.points.begin(), tile.points.end(),

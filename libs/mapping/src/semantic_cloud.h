@@ -103,6 +103,7 @@ class SemanticCloud {
 
   void renameObject(ObjectId from, ObjectId into);
   void eraseObject(ObjectId object);  ///< With all its points.
+  void remove(const std::vector<PointRef>& points);
   void touchObject(ObjectId object);  ///< Its tiles count as changed.
 
   [[nodiscard]] const std::map<ObjectId, std::size_t>& pointCounts() const { return pointCounts_; }

@@ -4,12 +4,11 @@
 #include <utility>
 
 #include "wardslam/core/errors.h"
-#include "wardslam/storage/map_file.h"
 
 namespace wardslam::pipeline {
 
-EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use) {
-  const auto map = storage::MapFile::open(file);
+EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use, storage::MapAccess access) {
+  const auto map = storage::MapFile::open(file, access);
   EarlierMap earlier;
   const bool isHeld = use == graph::Saved::IsHeld;  // a camera finds itself in the map alone
   earlier.use = use;

@@ -110,6 +110,23 @@ SQLite::Database connect(const fs::path& file) {
   return {file.string(), writable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY, MapFile::kPatience_ms};
 }
 
+fs::path journalOf(const fs::path& file) { return file.string() + "-journal"; }
+
+/// One that is up to date, without writing into the file.
+SQLite::Database connectUntouched(const fs::path& file) {
+  if (fs::exists(journalOf(file))) {
+    throw core::InputError(file.string() + ": its writer was interrupted; `wardslam map check " + file.string() +
+                           "` takes back what was half written");
+  }
+  SQLite::Database source(file.string(), SQLite::OPEN_READONLY, MapFile::kPatience_ms);
+  requireMap(source, file);
+  if (int{source.execAndGet("PRAGMA user_version")} == schemaVersion()) return source;
+  SQLite::Database upToDate(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Backup(upToDate, source).executeStep();
+  migrateSchema(upToDate);
+  return upToDate;
+}
+
 void commit(SQLite::Database& database, const MapChanges& changes) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   writeChanges(database, changes);
@@ -183,12 +200,14 @@ void MapFile::remember(const std::map<odometry::PointId, odometry::PointId>& fus
 MapFile MapFile::open(const fs::path& file, MapAccess access) {
   requireFile(file);
   return guarded(file, [&] {
-    auto connection = std::make_unique<Connection>(Connection{file, connect(file)});
+    const bool isUntouched = access == MapAccess::Untouched;
+    auto connection =
+        std::make_unique<Connection>(Connection{file, isUntouched ? connectUntouched(file) : connect(file)});
     SQLite::Database& database = connection->database;
     requireMap(database, file);
     configure(database);
     if (int{database.execAndGet("PRAGMA user_version")} < schemaVersion()) migrateSchema(database);
-    if (access == MapAccess::Read) {
+    if (access != MapAccess::Write) {
       database.exec("PRAGMA query_only = ON");
     } else if (sqlite3_db_readonly(database.getHandle(), "main") != 0) {
       throw core::InputError(file.string() + ": is write-protected");

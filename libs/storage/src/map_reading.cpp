@@ -288,13 +288,45 @@ mapping::ObjectId nextObjectId(SQLite::Database& database) {
   return next;
 }
 
+/// The map first.
+std::vector<PieceInfo> readParts(SQLite::Database& database) {
+  std::vector<PieceInfo> pieces;
+  forEachRow(
+      database, "piece",
+      "SELECT keyframes.piece, keyframes.piece = map_piece.piece AS is_map, count(*), min(stamp_s), "
+      "max(stamp_s), coalesce(value, '') FROM keyframes JOIN map_piece LEFT JOIN properties ON name = 'from ' || "
+      "keyframes.piece GROUP BY keyframes.piece ORDER BY is_map DESC, keyframes.piece",
+      [&pieces](ColumnReader row) {
+        PieceInfo piece;
+        int isMap = 0;
+        int keyframes = 0;
+        row >> pieceIn(piece.piece) >> isMap >> countIn(keyframes) >> stampIn(piece.firstStamp_s) >>
+            stampIn(piece.lastStamp_s) >> piece.from;
+        piece.isMap = isMap != 0;
+        piece.keyframes = static_cast<std::size_t>(keyframes);
+        pieces.push_back(piece);
+      });
+  return pieces;
+}
+
+void readOrigins(SQLite::Database& database, MapHeader& header) {
+  forEachRow(database, "property", "SELECT name, value FROM properties WHERE name LIKE 'from %'",
+             [&header](ColumnReader row) {
+               std::string name;
+               std::string files;
+               row >> name >> files;
+               header.from[static_cast<std::uint32_t>(std::strtoul(name.c_str() + 5, nullptr, 10))] = files;
+             });
+}
+
 }  // namespace
 
 MapFileInfo readInfo(SQLite::Database& database) {
   MapFileInfo info;
   info.schemaVersion = database.execAndGet("PRAGMA user_version");
   info.keyframes = count(database, "SELECT count(*) FROM keyframes WHERE piece = (SELECT piece FROM map_piece)");
-  info.pieces = count(database, "SELECT count(DISTINCT piece) FROM keyframes");
+  info.parts = readParts(database);
+  info.pieces = info.parts.size();
   info.keyframesElsewhere = count(database, "SELECT count(*) FROM keyframes") - info.keyframes;
   info.trackingPoints = count(database, "SELECT count(*) FROM points");
   info.loops = count(database, "SELECT count(*) FROM edges WHERE kind = 'loop'");
@@ -315,6 +347,7 @@ MapHeader readHeader(SQLite::Database& database) {
                std::string name;
                row >> name >> header.options;
              });
+  readOrigins(database, header);
   forEachRow(database, "label", "SELECT class_id, name FROM labels ORDER BY class_id", [&header](ColumnReader row) {
     core::ClassId id = 0;
     std::string name;

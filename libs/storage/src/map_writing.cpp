@@ -368,6 +368,9 @@ void writeFloorPlan(SQLite::Database& database, const mapping::FloorPlan& plan) 
 void writeHeader(SQLite::Database& database, const MapHeader& header) {
   SQLite::Statement property(database, "INSERT INTO properties VALUES (?,?)");
   (ParameterBinder(property) << "options" << header.options).run();
+  for (const auto& [piece, files] : header.from) {
+    (ParameterBinder(property) << "from " + std::to_string(piece) << files).run();
+  }
   writeLabels(database, header.labels);
 }
 

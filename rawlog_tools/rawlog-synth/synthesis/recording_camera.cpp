@@ -95,7 +95,7 @@ SequenceFrame RecordingCamera::shoot(std::size_t index) const {
   const std::uint32_t seed = options_.place.scene.seed;
   const double t_s = timeOf(index, options_.camera.rate_hz);
   SequenceFrame frame;
-  frame.stamp_s = kFirstStamp_s + t_s;
+  frame.stamp_s = firstStamp_s(options_.place) + t_s;
   frame.T_world_cam = setting_.T_world_cam(t_s);
   const bool isSmeared = sensor.exposure.motionBlur_ms > 0;
   const double covered = coveredShare(sensor.mishaps.covers, t_s);

@@ -65,7 +65,7 @@ std::size_t threadsFor(std::size_t frames) {
 /// Wheels and inertial sensor, in order of time.
 class MotionRecorder {
  public:
-  MotionRecorder(const Setting& setting, const SynthesisOptions& options) {
+  MotionRecorder(const Setting& setting, const SynthesisOptions& options) : first_s_(firstStamp_s(options.place)) {
     const auto T_world_sensor = [&setting](double t_s) -> Eigen::Isometry3d {
       return setting.T_world_cam(t_s) * core::T_sensor_cam().inverse();
     };
@@ -84,19 +84,27 @@ class MotionRecorder {
       const double imu_s = imu_ ? imu_->nextStamp_s() : kNever_s;
       if (std::min(odometry_s, imu_s) > t_s) return;
       if (odometry_s <= imu_s) {
-        recording.writeOdometry(kFirstStamp_s + odometry_s, odometry_->next());
+        recording.writeOdometry(first_s_ + odometry_s, odometry_->next());
       } else {
-        recording.writeImu(kFirstStamp_s + imu_s, imu_->next());
+        recording.writeImu(first_s_ + imu_s, imu_->next());
       }
     }
   }
 
  private:
+  double first_s_;
   std::optional<WheelOdometry> odometry_;
   std::optional<Imu> imu_;
 };
 
 }  // namespace
+
+double firstStamp_s(const PlaceOptions& place) {
+  constexpr double kFirst_s = 1700000000.0;
+  constexpr double kDay_s = 86400.0;
+  constexpr double kHour_s = 3600.0;
+  return kFirst_s + kDay_s * place.hospital.day + kHour_s * place.hospital.route.robot;
+}
 
 double timeOf(std::size_t frame, double rate_hz) {
   return std::round(static_cast<double>(frame) / rate_hz * 1e6) / 1e6;
@@ -113,7 +121,7 @@ std::size_t synthesise(const SynthesisOptions& options, const std::function<bool
   const RecordingCamera camera(setting, options);
   OrderedWork<EncodedFrame> work(total, threadsFor(total), [&](std::size_t index) -> EncodedFrame {
     const double t_s = timeOf(index, rate_hz);
-    if (lost[index]) return {kFirstStamp_s + t_s, setting.T_world_cam(t_s), {}, {}};
+    if (lost[index]) return {firstStamp_s(options.place) + t_s, setting.T_world_cam(t_s), {}, {}};
     return writer.encode(camera.shoot(index));
   });
   MotionRecorder motion(setting, options);

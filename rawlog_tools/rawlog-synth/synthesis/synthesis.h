@@ -18,7 +18,8 @@ struct SynthesisOptions {
   OutputOptions output;
 };
 
-constexpr double kFirstStamp_s = 1700000000.0;
+/// Stamp of the first picture (UNIX s): of every day that day's, of one robot after the other an hour later.
+[[nodiscard]] double firstStamp_s(const PlaceOptions& place);
 
 /// Seconds after the start, such that stamps are whole microseconds.
 [[nodiscard]] double timeOf(std::size_t frame, double rate_hz);

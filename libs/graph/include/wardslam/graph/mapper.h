@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,6 +52,12 @@ class Mapper {
   odometry::MapUpdate insert(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                              const std::atomic<bool>* stop = nullptr);
 
+  /// A further run that knows nothing of what is there, restored beside it: where its keyframes, in order, show a place
+  /// of what was there before, loops are closed and pieces joined as insert() does. Its submaps, keyframes and points
+  /// have higher numbers. `onKeyframe` hears after each of them what that changed, be it nothing; what it throws ends
+  /// it.
+  void meet(const SavedGraph& other, const std::function<void(const odometry::MapUpdate&)>& onKeyframe);
+
   [[nodiscard]] const KeyframeGraph& graph() const { return graph_; }
   /// Those that tie keyframes together still: one between an old keyframe and one given up for it is no more needed.
   [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
@@ -71,13 +78,15 @@ class Mapper {
   /// What a loop may bend to fit: what is settled is the last to give way.
   enum class Bent { TheUnsettled, All };
 
+  void takeIn(const SavedGraph& saved);
+  void rememberPlacesOf(const SavedGraph& saved);
   void findFloorOf(KeyframeId id);
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
   void cullKeyframes(KeyframeId newest, odometry::MapUpdate& update);
   void remove(KeyframeId id, odometry::MapUpdate& update);
   void rememberPlaces(KeyframeId newest);
   void rememberPlace(KeyframeId id);
-  [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest);
+  [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest, KeyframeId before);
   [[nodiscard]] bool isBelievable(const Loop& loop);
   [[nodiscard]] bool areMistakable(const std::vector<Loop>& loops);
   [[nodiscard]] bool hasDouble(const Loop& join);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "wardslam/core/label_space.h"
 #include "wardslam/knowledge/motion_rules.h"
@@ -15,6 +16,7 @@
 #include "wardslam/mapping/zones.h"
 #include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/map_update.h"
+#include "wardslam/odometry/pieces.h"
 
 namespace wardslam::mapping {
 
@@ -70,6 +72,12 @@ class MapBuilder {
 
   /// Works an image in. One whose keyframe nobody added is left out.
   void add(const View& view);
+
+  /// Of pieces that are runs which knew nothing of each other, before they are joined: what stood there later counts.
+  /// What a later run saw through is taken away, things with it, which are gone then; and things stand where an earlier
+  /// run saw nothing, so they may be some that are gone elsewhere. `joined`: which pieces will be one.
+  using Views = std::vector<std::shared_ptr<const odometry::Keyframe>>;
+  void compareRuns(const Views& views, const odometry::Pieces& joined);
 
   /// The map as it is now, without pieces that are not joined to it.
   [[nodiscard]] SemanticMap map();

@@ -6,6 +6,7 @@
 #include "wardslam/graph/saved_graph.h"
 #include "wardslam/mapping/map_memory.h"
 #include "wardslam/mapping/semantic_map.h"
+#include "wardslam/storage/map_file.h"
 
 namespace wardslam::pipeline {
 
@@ -20,6 +21,7 @@ struct EarlierMap {
 
 /// Without the cloud where the map is only to find oneself in (Saved::IsHeld). Throws core::InputError naming the file
 /// when it is damaged or holds nothing a camera could be recognised by.
-[[nodiscard]] EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use = graph::Saved::MayChange);
+[[nodiscard]] EarlierMap readEarlierMap(const std::filesystem::path& file, graph::Saved use = graph::Saved::MayChange,
+                                        storage::MapAccess access = storage::MapAccess::Read);
 
 }  // namespace wardslam::pipeline

@@ -60,7 +60,18 @@ struct MapChanges {
 /// What a new file is told once.
 struct MapHeader {
   core::LabelSpace labels = core::LabelSpace::coco();
-  std::string options;  ///< YAML, as `wardslam config` writes it.
+  std::string options;                          ///< YAML, as `wardslam config` writes it.
+  std::map<std::uint32_t, std::string> from{};  ///< Of a map made of several: the files each piece came from.
+};
+
+/// A piece at a glance.
+struct PieceInfo {
+  std::uint32_t piece = 0;
+  bool isMap = false;
+  std::size_t keyframes = 0;
+  double firstStamp_s = 0.0;
+  double lastStamp_s = 0.0;
+  std::string from;  ///< The files it came from, where the map was made of several.
 };
 
 /// A map file at a glance.
@@ -69,6 +80,7 @@ struct MapFileInfo {
   std::uintmax_t size_bytes = 0;
   std::size_t keyframes = 0;           ///< Of the map, as cloud points and objects are.
   std::size_t pieces = 0;              ///< The map and what is not joined to it.
+  std::vector<PieceInfo> parts;        ///< Each of them, the map first.
   std::size_t keyframesElsewhere = 0;  ///< Of the pieces that are not joined to the map.
   std::size_t trackingPoints = 0;      ///< Of key points, to recognise places by.
   std::size_t loops = 0;
@@ -85,7 +97,11 @@ class MapInUse : public core::InputError {
   using core::InputError::InputError;
 };
 
-enum class MapAccess { Read, Write };
+enum class MapAccess {
+  Read,
+  Write,
+  Untouched,  ///< To read; nothing is written into the file, an older one is brought up to date in memory.
+};
 enum class CloudPart { Include, LeaveOut };
 enum class PiecePart { TheMap, All };  ///< Those not joined to the map have frames of their own.
 
@@ -108,7 +124,8 @@ class MapFile {
   /// Leaves a file that may be there alone. Throws core::InputError where create() would.
   static void requireThatOneCanBeMade(const std::filesystem::path& file);
 
-  /// Undoes what a killed process left half written. A file that an older version wrote is brought up to date.
+  /// Undoes what a killed process left half written. A file that an older version wrote is brought up to date. To leave
+  /// it untouched, nothing may have been left half written.
   [[nodiscard]] static MapFile open(const std::filesystem::path& file, MapAccess access = MapAccess::Read);
 
   /// The map as it is at this moment, in a file of its own, in place of one that may be there.
