@@ -275,7 +275,8 @@ TEST_F(PoseSolverTest, PointsThatTellLittleGiveAStatusAndNoNaN) {
   const std::vector<std::pair<const char*, Place>> places = {
       {"one point", [](double, double) { return Eigen::Vector3d(0.1, 0.2, 2.0); }},
       {"a line", [](double u, double) { return Eigen::Vector3d(u, 0.3 * u, 2.0 + 0.5 * u); }},
-      {"a line of sight", [](double u, double) { return Eigen::Vector3d(0.1, 0.1, 1.0) * (2.0 + u); }},
+      {"a line of sight",
+       [](double u, double) -> Eigen::Vector3d { return Eigen::Vector3d(0.1, 0.1, 1.0) * (2.0 + u); }},
       {"a plane", [](double u, double v) { return Eigen::Vector3d(u, v, 2.0); }},
       {"a plane seen edge on", [](double u, double v) { return Eigen::Vector3d(u, 0.0, 3.0 + v); }},
       {"the camera's own place", [](double, double) { return Eigen::Vector3d(0.0, 0.0, 0.0); }}};
