@@ -34,7 +34,7 @@ class MergedZonesTest : public testing::Test {
   void join() { joined_.pieces.join({2, 1}); }
   auto& zonesOf(std::size_t run) { return runs_[run].map.semantic.zones; }
 
-  std::vector<Run> runs_;
+  std::vector<merging::Run> runs_;
   JoinedRuns joined_;
 };
 

@@ -44,7 +44,7 @@ class NamesTest : public testing::Test {
     return test::complaintOf([&] { requireThatTheyFit(runs_); });
   }
   MeetingMaps maps_;
-  std::vector<Run> runs_;
+  std::vector<merging::Run> runs_;
 };
 
 TEST_F(NamesTest, OfClassesMustBeTheSame) {

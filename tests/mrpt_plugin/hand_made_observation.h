@@ -30,7 +30,7 @@ inline CObservationSemanticRGBD handMadeObservation() {
   o.labelBits(chair).setTo(10);  // movable, thing
 
   const auto keypoint = [](float x, float y, float depth_m, core::Motion motion) {
-    return core::Keypoint{{x, y}, {x + 0.25F, y - 0.25F}, depth_m, 0.7F, 12.5F, 1.2F, motion, 0.875F};
+    return core::Keypoint{{x, y}, {x + 0.25F, y - 0.25F}, depth_m, 0.0F, 0.7F, 12.5F, 1.2F, motion, 0.875F};
   };
   o.features.keypoints = {keypoint(30, 24, 2.0F, core::Motion::Static), keypoint(50, 10, 1.5F, core::Motion::Static),
                           keypoint(10, 40, 1.0F, core::Motion::Dynamic), keypoint(35, 5, 0.0F, core::Motion::Static)};
