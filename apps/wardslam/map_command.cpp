@@ -148,9 +148,28 @@ void zones(const MapArguments& arguments) {
   show(arguments, zonesJson(map, query), [&](std::ostream& out) { printZones(out, map, query); });
 }
 
+/// Whether both maps can be asked for places.
+bool haveKeyPoints(const MapArguments& arguments) {
+  return MapFile::open(arguments.file).info().trackingPoints > 0 &&
+         MapFile::open(arguments.other).info().trackingPoints > 0;
+}
+
+/// Maps of runs that knew nothing of each other have frames of their own: the places that both show tell how these lie.
+void bringIntoOneFrame(const MapArguments& arguments, mapping::SemanticMap& after) {
+  if (!haveKeyPoints(arguments)) return;
+  const auto alignment = alignWithProgress(arguments.file, arguments.other, {});
+  if (!alignment) {
+    std::cerr << "wardslam: no place of " << arguments.file.string() << " is found in " << arguments.other.string()
+              << ": they are compared as if they had one frame\n";
+  } else if (!alignment->haveOneFrame) {
+    for (auto& [id, object] : after.objects) query::moveObject(object, alignment->T_a_b);
+  }
+}
+
 void diff(const MapArguments& arguments) {
   const auto before = readStoredMap(arguments.file, CloudPart::LeaveOut);
-  const auto after = readStoredMap(arguments.other, CloudPart::LeaveOut);
+  auto after = readStoredMap(arguments.other, CloudPart::LeaveOut);
+  bringIntoOneFrame(arguments, after);
   const auto difference = query::difference(before, after);
   show(arguments, toJson(difference, after.labels), [&](std::ostream& out) { print(out, difference, after.labels); });
 }
@@ -212,7 +231,8 @@ void addMapCommand(CLI::App& app) {
   addPoint(*addVerb(*command, "at", "What is at a point: things, zones, floor", at, arguments), *arguments, 3);
   addVerb(*command, "zones", "The zones and what stands in them", zones, arguments);
   addVerb(*command, "diff", "What moved, is gone or is new from FILE to OTHER, two maps of one place", diff, arguments)
-      ->add_option("OTHER", arguments->other, "the later map (.wardmap), in the same map frame")
+      ->add_option("OTHER", arguments->other,
+                   "the later map (.wardmap); where its frame is another, the places that both show tell how it lies")
       ->required();
   addMapMergeCommands(*command);
   addMapExportCommand(*command);

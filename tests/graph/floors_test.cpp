@@ -224,5 +224,32 @@ TEST(MapperFloor, WithoutOneInSightNothingChanges) {
     EXPECT_EQ(node.T_map_cam.matrix(), without.keyframes().at(id).T_map_cam.matrix());
 }
 
+/// Two runs over level ground, each with a floor of its own; the second's map is off by so much.
+class TwoRunsOnOneFloor : public FloorsTest {
+ protected:
+  bool uniteWith(const Eigen::Isometry3d& off) {
+    drive(FloorWalk(test::levelGround), 1, 10);
+    for (KeyframeId id = 11; id <= 20; ++id) {
+      const auto keyframe = FloorWalk(test::levelGround).keyframe(id);
+      keyframe->submap = 2;
+      keyframe->T_previous_cam.reset();
+      keyframe->T_map_cam = off * keyframe->T_map_cam;
+      insert(keyframe);
+    }
+    EXPECT_NE(floorOf(15), 1U) << "nothing is known of the other run";
+    return uniteFloors(graph_, 10, 11);
+  }
+};
+
+TEST_F(TwoRunsOnOneFloor, IsOneFloorOnceTheyAreKnownToBeInOnePlace) {
+  EXPECT_TRUE(uniteWith(test::makePose({0, 0, 0.12}, {0.0, 2.0 * kDegree, 0.0})));
+  EXPECT_THAT(floorsOf(1, 20), Each(1U));
+}
+
+TEST_F(TwoRunsOnOneFloor, AnotherStoreyIsNot) {
+  EXPECT_FALSE(uniteWith(test::makePose({0, 0, 3.6})));
+  EXPECT_NE(floorOf(15), 1U);
+}
+
 }  // namespace
 }  // namespace wardslam::graph

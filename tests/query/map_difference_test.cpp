@@ -69,5 +69,16 @@ TEST(MapDifference, TurningGoneIsGone) {
   EXPECT_EQ(difference(before, after).gone.size(), 1U);
 }
 
+TEST(MapDifference, AThingCanBeBroughtIntoAnotherFrame) {
+  mapping::MapObject bed = test::makeObject(3, test::kBed, {1, 0, 0.4}, {1, 2, 0.8});
+  const Eigen::Isometry3d T_other_map =
+      Eigen::Translation3d(10, 0, 1) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
+  moveObject(bed, T_other_map);
+  EXPECT_TRUE(bed.centroid_m.isApprox(Eigen::Vector3d(10, 1, 1.4), 1e-12));
+  EXPECT_TRUE(bed.box_m.min().isApprox(Eigen::Vector3d(9, 0.5, 1.0), 1e-12)) << "lengths of 1 m and 2 m, turned";
+  EXPECT_TRUE(bed.box_m.max().isApprox(Eigen::Vector3d(11, 1.5, 1.8), 1e-12));
+  EXPECT_TRUE(bed.orientedBox.T_map_box.translation().isApprox(Eigen::Vector3d(10, 1, 1.4), 1e-12));
+}
+
 }  // namespace
 }  // namespace wardslam::query

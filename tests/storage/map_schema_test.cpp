@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "storage/stored_ward.h"
@@ -49,6 +51,30 @@ TEST_F(MapSchemaTest, OfAFileOfTheThirdVersionNoDepthIsKnown) {
   const auto file = MapFile::open(path_);
   EXPECT_THAT(file.check(), IsEmpty());
   for (const auto& view : file.readViews()) EXPECT_EQ(view.depth, nullptr) << view.id;
+}
+
+TEST_F(MapSchemaTest, AnOlderFileCanBeReadUntouched) {
+  writeWard();
+  runSql("DROP TABLE grounds; DROP TABLE depth_views; PRAGMA user_version = 2");
+  const auto bytes = [&] {
+    std::ifstream in(path_, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string before = bytes();
+  {
+    const auto file = MapFile::open(path_, MapAccess::Untouched);
+    EXPECT_EQ(file.info().schemaVersion, 4) << "in memory";
+    EXPECT_EQ(file.read().objects.size(), ward_.objects.size());
+  }
+  EXPECT_TRUE(bytes() == before);
+  static_cast<void>(MapFile::open(path_));
+  EXPECT_FALSE(bytes() == before) << "else it is brought up to date";
+}
+
+TEST_F(MapSchemaTest, WhatIsHalfWrittenIsNotReadUntouched) {
+  writeWard();
+  std::ofstream(path_.string() + "-journal") << "left by a killed run";
+  EXPECT_THAT(openingError(MapAccess::Untouched), HasSubstr("its writer was interrupted"));
 }
 
 TEST_F(MapSchemaTest, SaysThatANewerVersionWroteIt) {

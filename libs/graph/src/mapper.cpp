@@ -77,31 +77,6 @@ void Mapper::rememberPlacesOf(const SavedGraph& saved) {
   places_.build();
 }
 
-/// Its own places come to be remembered last: beside them those of others would not be found.
-void Mapper::meet(const SavedGraph& other, const std::function<void(const odometry::MapUpdate&)>& onKeyframe) {
-  takeIn(other);
-  const KeyframeId first = other.keyframes.empty() ? 0 : other.keyframes.front()->id;
-  for (const auto& keyframe : other.keyframes) {
-    odometry::MapUpdate update;
-    const auto loops = confirmation_->confirm(graph_, keyframe->id, recognise(keyframe->id, first));
-    if (!loops.empty() && !areMistakable(loops) && close(loops, nullptr, update)) level(loops);
-    onKeyframe(update);
-  }
-  rememberPlacesOf(other);
-}
-
-/// What looks from afar leave of tilt and height between runs, their common floor takes back.
-void Mapper::level(const std::vector<Loop>& loops) {
-  if (!options_.floor) return;
-  bool isNews = false;
-  for (const Loop& loop : loops) isNews = uniteFloors(graph_, loop.older, loop.newer) || isNews;
-  if (!isNews) return;
-  const std::uint32_t piece = graph_.keyframes().at(loops.front().newer).submap;
-  optimisePoses(graph_, piece, loops_, options_.pose_graph);
-  const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
-  adjust(graph_, globalWindow(graph_, piece), adjustment, adjustment.global_iterations);
-}
-
 odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe,
                                    const std::atomic<bool>* stop) {
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;

@@ -1,6 +1,10 @@
 #include "looks_between_runs.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include "same_things.h"
 
 namespace wardslam::mapping {
 namespace {
@@ -98,6 +102,27 @@ std::vector<ObjectId> compareWith(const std::vector<OtherLook>& looks, Part& par
   part.cloud.remove(later.seenThrough);
   for (const auto& [id, counts] : later.objects) part.touched.insert(id);
   return gone;
+}
+
+std::vector<std::pair<ObjectId, ObjectId>> sameThingsOf(const std::map<std::uint32_t, Part>& parts,
+                                                        const odometry::Pieces& joined, const MappingOptions& options) {
+  std::map<std::uint32_t, Part> together;  // rows and records alone, by what the pieces will be
+  for (const auto& [piece, part] : parts) {
+    Part& all = together.try_emplace(joined.pieceOf(piece), options).first->second;
+    for (const auto& [id, row] : part.table.rows()) {
+      all.table.restore(row);
+      all.objects.restore(id, part.objects.objects().at(id));
+    }
+    auto pairs = all.objects.pairs();
+    pairs.insert(part.objects.pairs().begin(), part.objects.pairs().end());
+    all.objects.restore(pairs);
+  }
+  std::vector<std::pair<ObjectId, ObjectId>> same;
+  for (const auto& [piece, all] : together) {
+    const auto its = sameBoxes(all.table, all.objects, options.cloud.voxel_m);
+    same.insert(same.end(), its.begin(), its.end());
+  }
+  return same;
 }
 
 LaterLooks lookLater(const SemanticCloud& cloud, const std::vector<OtherLook>& looks,

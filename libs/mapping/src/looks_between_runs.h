@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "map_part.h"
@@ -48,6 +49,12 @@ struct LaterLooks {
   std::map<ObjectId, Counts> objects;
   std::vector<PointRef> seenThrough;  ///< All such points, of objects or not.
 };
+
+/// Things of pieces that are about to be joined which are one by their boxes (sameBoxes): {from, into}, the older one
+/// last.
+[[nodiscard]] std::vector<std::pair<ObjectId, ObjectId>> sameThingsOf(const std::map<std::uint32_t, Part>& parts,
+                                                                      const odometry::Pieces& joined,
+                                                                      const MappingOptions& options);
 
 /// `seenUntil_s`: since when what is seen of an object (0: of the rest of the cloud) is later. Looks in order of time.
 [[nodiscard]] LaterLooks lookLater(const SemanticCloud& cloud, const std::vector<OtherLook>& looks,

@@ -9,6 +9,7 @@
 #include "known_ground.h"
 #include "looks_between_runs.h"
 #include "map_part.h"
+#include "placed_keyframes.h"
 #include "recognition.h"
 #include "same_things.h"
 #include "semantic_cloud.h"
@@ -54,8 +55,6 @@ class MapBuilder::Impl {
   void join(const odometry::SubmapJoin& join);
   void tellOfAnotherMap();
   void remove(const odometry::RemovedKeyframe& removed);
-  [[nodiscard]] Eigen::Isometry3d placeOf(const odometry::Keyframe& keyframe, std::uint32_t piece) const;
-  [[nodiscard]] std::map<KeyframeId, Eigen::Isometry3d> withYounger(const odometry::MapUpdate& update) const;
   void follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam);
   const cv::Mat& raysOf(const core::CameraModel& camera);
   std::vector<ObjectId> recogniseObjects(Part& part, const View& view, const Recognition& seen);
@@ -65,6 +64,7 @@ class MapBuilder::Impl {
   void restoreTile(std::uint64_t id, const SemanticMap& earlier, const MapMemory& memory);
   void restoreObjects(const SemanticMap& earlier, const MapMemory& memory);
   void mergeSameBoxes(Part& part);
+  void mergeSameThings(Part& part);
   void reuniteMoved(Part& part);
   void describeTouched(Part& part);
 
@@ -75,6 +75,7 @@ class MapBuilder::Impl {
   std::map<std::uint32_t, Part> parts_;     ///< By piece.
   std::optional<std::uint32_t> toldAsMap_;  ///< The piece that was the map when changes were taken last.
   ObjectId nextId_ = 1;
+  std::vector<std::pair<ObjectId, ObjectId>> sameThings_;  ///< Of pieces that are about to be joined: {from, into}.
   MapParts changes_;
   std::optional<core::CameraModel> raysCamera_;
   cv::Mat rays_;
@@ -128,36 +129,16 @@ void MapBuilder::Impl::restoreObjects(const SemanticMap& earlier, const MapMemor
 void MapBuilder::Impl::addKeyframe(const odometry::Keyframe& keyframe) {
   const std::uint32_t piece = pieces_.pieceOf(keyframe.submap);
   pieces_.add(keyframe.id, keyframe.submap);
-  const Eigen::Isometry3d T_map_cam = placeOf(keyframe, piece);
+  const Eigen::Isometry3d T_map_cam = placeOf(keyframe, piece, keyframes_);
   keyframes_[keyframe.id] = {piece, keyframe.stamp_s, T_map_cam, {}, keyframe.ground};
   part(piece).cloud.addTile(keyframe.id, T_map_cam);
   changes_.keyframes.insert(keyframe.id);
 }
 
-/// As the keyframe graph places it: by the one before, where the map has that in the same frame.
-Eigen::Isometry3d MapBuilder::Impl::placeOf(const odometry::Keyframe& keyframe, std::uint32_t piece) const {
-  const auto previous = keyframes_.find(keyframe.id - 1);
-  const bool follows = keyframe.T_previous_cam && previous != keyframes_.end() && previous->second.piece == piece;
-  return follows ? previous->second.T_map_cam * *keyframe.T_previous_cam : keyframe.T_map_cam;
-}
-
 void MapBuilder::Impl::apply(const odometry::MapUpdate& update) {
-  follow(withYounger(update));
+  follow(withYounger(update, keyframes_));
   for (const auto& removed : update.removedKeyframes) remove(removed);
   if (update.joined) join(*update.joined);
-}
-
-/// The poses it names, and those of keyframes that it does not know yet.
-std::map<KeyframeId, Eigen::Isometry3d> MapBuilder::Impl::withYounger(const odometry::MapUpdate& update) const {
-  auto T_map_cam = update.T_map_cam;
-  const auto newest = keyframes_.find(update.newestKeyframe);
-  if (newest == keyframes_.end()) return T_map_cam;
-  const Eigen::Isometry3d correction = odometry::correctionOf(update, newest->second.T_map_cam);
-  for (auto younger = std::next(newest); younger != keyframes_.end(); ++younger) {
-    const auto& [id, keyframe] = *younger;
-    if (keyframe.piece == newest->second.piece) T_map_cam.try_emplace(id, correction * keyframe.T_map_cam);
-  }
-  return T_map_cam;
 }
 
 void MapBuilder::Impl::follow(const std::map<KeyframeId, Eigen::Isometry3d>& T_map_cam) {
@@ -203,6 +184,7 @@ void MapBuilder::Impl::join(const odometry::SubmapJoin& join) {
   into.objects.absorb(std::move(joining->second.objects));
   into.table.absorb(std::move(joining->second.table));
   parts_.erase(joining);
+  mergeSameThings(into);
 }
 
 const cv::Mat& MapBuilder::Impl::raysOf(const core::CameraModel& camera) {
@@ -257,15 +239,20 @@ std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View&
                               nextId_);
 }
 
+/// Which things are one is found out before points of both become one, and are of one of them.
 void MapBuilder::Impl::compareRuns(const Views& views, const odometry::Pieces& joined) {
   const LooksByPiece looks = looksOf(views, keyframes_);
   for (auto& [piece, part] : parts_) {
-    double until_s = 0.0;
-    for (const auto& [id, keyframe] : keyframes_) {
-      if (keyframe.piece == piece) until_s = std::max(until_s, keyframe.stamp_s);
-    }
-    removeGone(part, compareWith(looksOfOthers(piece, looks, joined), part, until_s));
+    describeTouched(part);  // what is gone keeps the place it had
+    removeGone(part, compareWith(looksOfOthers(piece, looks, joined), part, lastStampOf(piece, keyframes_)));
+    describeTouched(part);
   }
+  sameThings_ = sameThingsOf(parts_, joined, options_);
+}
+
+void MapBuilder::Impl::mergeSameThings(Part& part) {
+  for (const auto& [from, into] : sameThings_) part.objects.merge(from, into);
+  takeMerges(part);
 }
 
 void MapBuilder::Impl::takeMerges(Part& part) {

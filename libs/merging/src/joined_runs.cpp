@@ -1,6 +1,7 @@
 #include "joined_runs.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace wardslam::merging {
 namespace {
@@ -43,9 +44,26 @@ JoinedRuns joinRuns(const std::vector<Run>& runs, const pipeline::SlamOptions& o
   }
   joined.graph = graph::save(mapper.graph());
   joined.graph.loops = mapper.loops();
+  for (const auto& keyframe : joined.graph.keyframes) joined.T_joined_cam[keyframe->id] = keyframe->T_map_cam;
   joined.pieces = mapper.pieces();
   joined.map = largestOf(joined.pieces);
   return joined;
+}
+
+Eigen::Isometry3d motionAround(const std::function<double(const Eigen::Vector3d&)>& away_m, const Run& run,
+                               std::uint32_t piece, const JoinedRuns& joined) {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const auto& [id, keyframe] : run.map.semantic.keyframes) {
+    const auto placed = joined.T_joined_cam.find(id);
+    if (keyframe.piece != piece || placed == joined.T_joined_cam.end()) continue;
+    const double here_m = away_m(keyframe.T_map_cam.translation());
+    if (here_m >= least_m) continue;
+    least_m = here_m;
+    const bool isWhereItWas = placed->second.matrix() == keyframe.T_map_cam.matrix();
+    motion = isWhereItWas ? Eigen::Isometry3d::Identity() : placed->second * keyframe.T_map_cam.inverse();
+  }
+  return motion;
 }
 
 }  // namespace wardslam::merging

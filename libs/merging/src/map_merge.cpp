@@ -12,6 +12,7 @@
 #include "wardslam/knowledge/knowledge_graph.h"
 #include "wardslam/knowledge/motion_rules.h"
 #include "wardslam/mapping/map_builder.h"
+#include "wardslam/query/map_difference.h"
 
 namespace wardslam::merging {
 namespace {
@@ -33,11 +34,23 @@ mapping::MapSetting settingOf(const core::LabelSpace& labels, const std::vector<
   return {labels, rules.moving(), mapping::Zones(zones), rules.movable()};
 }
 
-/// All maps side by side, each piece in a frame of its own.
-pipeline::EarlierMap sideBySide(std::vector<Run>& runs, std::uint32_t map) {
+/// What is gone has no points in the cloud to follow.
+void moveWhatIsGone(Run& run, const JoinedRuns& joined) {
+  for (auto& [id, object] : run.map.semantic.objects) {
+    if (object.state != mapping::ObjectState::Gone) continue;
+    const Eigen::Vector3d place_m = object.centroid_m;
+    const auto away_m = [&](const Eigen::Vector3d& p_m) { return (p_m - place_m).norm(); };
+    const Eigen::Isometry3d motion = motionAround(away_m, run, object.piece, joined);
+    if (!motion.matrix().isIdentity(0.0)) query::moveObject(object, motion);
+  }
+}
+
+/// All maps side by side, each piece in a frame of its own but for what has nothing to follow.
+pipeline::EarlierMap sideBySide(std::vector<Run>& runs, const JoinedRuns& joined) {
   pipeline::EarlierMap all;
-  all.semantic.piece = map;
+  all.semantic.piece = joined.map;
   for (Run& run : runs) {
+    moveWhatIsGone(run, joined);
     all.semantic.keyframes.merge(run.map.semantic.keyframes);
     all.semantic.cloud.merge(run.map.semantic.cloud);
     all.semantic.objects.merge(run.map.semantic.objects);
@@ -52,7 +65,7 @@ pipeline::EarlierMap sideBySide(std::vector<Run>& runs, std::uint32_t map) {
 /// Everything goes where the graph has it; what stood there later counts; then the pieces become one.
 void fuse(mapping::MapBuilder& builder, const JoinedRuns& joined, const ProgressSink& progress) {
   odometry::MapUpdate moved;
-  for (const auto& keyframe : joined.graph.keyframes) moved.T_map_cam[keyframe->id] = keyframe->T_map_cam;
+  moved.T_map_cam = joined.T_joined_cam;
   builder.apply(moved);
   builder.compareRuns(joined.graph.keyframes, joined.pieces);
   for (std::size_t i = 0; i < joined.joins.size(); ++i) {
@@ -104,7 +117,7 @@ std::vector<std::pair<std::uint32_t, MergeReport::Part>> partsOf(const std::vect
       const bool isOf = std::any_of(its.begin(), its.end(), [&, piece = piece](const auto& keyframe) {
         return joined.pieces.pieceOf(keyframe->submap) == piece;
       });
-      if (isOf) part.files.push_back(run.file.filename().string());
+      if (isOf) part.files.push_back(run.name);
     }
     parts.emplace_back(piece, std::move(part));
   }
@@ -146,7 +159,7 @@ MergeReport mergeMaps(const std::vector<std::filesystem::path>& maps, const std:
   }
 
   mapping::MapBuilder builder(options.mapping, settingOf(header.labels, zones.zones, options));
-  const pipeline::EarlierMap all = sideBySide(runs, joined.map);
+  const pipeline::EarlierMap all = sideBySide(runs, joined);
   builder.restore(all.semantic, all.memory);
   fuse(builder, joined, progress);
   storage::MapFile::create(out, header, everythingOf(builder, joined)).compact();

@@ -1,7 +1,6 @@
 #include "merged_zones.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <opencv2/imgproc.hpp>
 
@@ -12,22 +11,6 @@ using mapping::Zone;
 
 constexpr double kSamePlace = 0.9;  // of what two zones cover together, that is of both
 constexpr int kCellsAcross = 400;   // to measure that by
-
-/// Where the keyframe of the run nearest to the zone has gone, and with it the zone.
-Eigen::Isometry3d motionAround(const Zone& zone, const Run& run,
-                               const std::map<graph::KeyframeId, Eigen::Isometry3d>& T_joined_cam) {
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  double least_m = std::numeric_limits<double>::infinity();
-  for (const auto& [id, keyframe] : run.map.semantic.keyframes) {
-    const auto placed = T_joined_cam.find(id);
-    if (keyframe.piece != run.map.semantic.piece || placed == T_joined_cam.end()) continue;
-    const double away_m = distance_m(zone, keyframe.T_map_cam.translation().head<2>());
-    if (away_m >= least_m) continue;
-    least_m = away_m;
-    motion = placed->second * keyframe.T_map_cam.inverse();
-  }
-  return motion;
-}
 
 Zone moved(Zone zone, const Eigen::Isometry3d& motion) {
   if (motion.matrix().isIdentity(0.0)) return zone;
@@ -60,19 +43,17 @@ bool coverTheSame(const Zone& a, const Zone& b) {
 }  // namespace
 
 MergedZones mergeZones(const std::vector<Run>& runs, const JoinedRuns& joined) {
-  std::map<graph::KeyframeId, Eigen::Isometry3d> T_joined_cam;
-  for (const auto& keyframe : joined.graph.keyframes) T_joined_cam[keyframe->id] = keyframe->T_map_cam;
   MergedZones merged;
   std::map<std::string, const Run*> drawnIn;
   for (const Run& run : runs) {
-    const std::string file = run.file.filename().string();
     const bool isInMap = joined.pieces.pieceOf(run.map.semantic.piece) == joined.map;
     for (const Zone& drawn : run.map.semantic.zones) {
       if (!isInMap) {
-        merged.notes.push_back("zone '" + drawn.name + "' of " + file + " is left out: no place connects that map");
+        merged.notes.push_back("zone '" + drawn.name + "' of " + run.name + " is left out: no place connects that map");
         continue;
       }
-      Zone zone = moved(drawn, motionAround(drawn, run, T_joined_cam));
+      const auto away_m = [&](const Eigen::Vector3d& p_m) { return distance_m(drawn, p_m.head<2>()); };
+      Zone zone = moved(drawn, motionAround(away_m, run, run.map.semantic.piece, joined));
       const auto [before, isNew] = drawnIn.emplace(zone.name, &run);
       if (isNew) {
         merged.zones.push_back(std::move(zone));
@@ -81,8 +62,8 @@ MergedZones mergeZones(const std::vector<Run>& runs, const JoinedRuns& joined) {
       Zone& known = *std::find_if(merged.zones.begin(), merged.zones.end(),
                                   [&](const Zone& other) { return other.name == zone.name; });
       if (coverTheSame(known, zone)) continue;
-      merged.notes.push_back("zone '" + zone.name + "' is elsewhere in " + before->second->file.filename().string() +
-                             " than in " + file + ": that of the later map stays");
+      merged.notes.push_back("zone '" + zone.name + "' is elsewhere in " + before->second->name + " than in " +
+                             run.name + ": that of the later map stays");
       known = std::move(zone);
       before->second = &run;
     }

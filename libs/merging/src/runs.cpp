@@ -1,6 +1,7 @@
 #include "runs.h"
 
 #include <algorithm>
+#include <map>
 #include <opencv2/core.hpp>
 #include <set>
 #include <tuple>
@@ -52,6 +53,16 @@ void requireSameNames(const Run& a, const Run& b) {
   }
 }
 
+void nameRuns(std::vector<Run>& runs) {
+  std::map<std::string, int> uses;
+  for (const Run& run : runs) ++uses[run.file.filename().string()];
+  for (Run& run : runs) {
+    run.name = run.file.filename().string();
+    if (uses.at(run.name) > 1)
+      run.name = (std::filesystem::absolute(run.file).parent_path().filename() / run.name).string();
+  }
+}
+
 }  // namespace
 
 bool shareKeyframes(const Run& a, const Run& b) {
@@ -70,6 +81,7 @@ std::vector<Run> readRuns(const std::vector<std::filesystem::path>& maps, const 
     progress({"map", runs.size(), maps.size()});
   }
   std::sort(runs.begin(), runs.end(), isOlder);
+  nameRuns(runs);
   std::vector<pipeline::EarlierMap*> all;
   for (Run& run : runs) all.push_back(&run.map);
   renumber(all);

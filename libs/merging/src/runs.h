@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "wardslam/merging/map_merge.h"
@@ -12,6 +13,7 @@ namespace wardslam::merging {
 /// A map that is to be made one with others.
 struct Run {
   std::filesystem::path file;
+  std::string name;  ///< The file without folders; with the last of them where others are called the same.
   storage::MapHeader header;
   pipeline::EarlierMap map;
 };

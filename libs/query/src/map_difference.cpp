@@ -35,7 +35,23 @@ std::vector<const mapping::MapObject*> notIn(const std::set<const mapping::MapOb
   return rest;
 }
 
+Eigen::AlignedBox3d around(const mapping::OrientedBox& box) {
+  Eigen::AlignedBox3d around_m;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d side((corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5,
+                               (corner & 4) != 0 ? 0.5 : -0.5);
+    around_m.extend(box.T_map_box * side.cwiseProduct(box.size_m));
+  }
+  return around_m;
+}
+
 }  // namespace
+
+void moveObject(mapping::MapObject& object, const Eigen::Isometry3d& T_other_map) {
+  object.centroid_m = T_other_map * object.centroid_m;
+  object.orientedBox.T_map_box = T_other_map * object.orientedBox.T_map_box;
+  object.box_m = around(object.orientedBox);
+}
 
 MapDifference difference(const mapping::SemanticMap& before, const mapping::SemanticMap& after, double tolerance_m) {
   MapDifference result;

@@ -80,7 +80,6 @@ class Mapper {
 
   void takeIn(const SavedGraph& saved);
   void rememberPlacesOf(const SavedGraph& saved);
-  void level(const std::vector<Loop>& loops);
   void findFloorOf(KeyframeId id);
   void cullPoints(KeyframeId newest, odometry::MapUpdate& update);
   void cullKeyframes(KeyframeId newest, odometry::MapUpdate& update);

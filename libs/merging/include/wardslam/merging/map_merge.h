@@ -23,7 +23,7 @@ using ProgressSink = std::function<void(const Progress&)>;
 
 struct MergeReport {
   struct Part {
-    std::vector<std::string> files;  ///< Without folders, the oldest first.
+    std::vector<std::string> files;  ///< Without folders where that tells them apart, the oldest first.
     std::size_t keyframes = 0;
   };
   std::vector<Part> parts;         ///< What places connect is one part. The map, the largest, is the first.

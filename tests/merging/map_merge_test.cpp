@@ -1,0 +1,110 @@
+#include "wardslam/merging/map_merge.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "merging/meeting_maps.h"
+#include "support/complaint.h"
+
+namespace wardslam::merging {
+namespace {
+
+using test::MeetingMaps;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string bytesOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void goOn(const Progress& /*progress*/) {}
+
+TEST(MapMergeTest, MapsWithAPlaceInCommonBecomeOne) {
+  const MeetingMaps maps;
+  const std::string before = bytesOf(maps.a()) + bytesOf(maps.b());
+  const auto report = mergeMaps({maps.a(), maps.b()}, maps.file("all.wardmap"), {}, goOn);
+  ASSERT_EQ(report.parts.size(), 1U);
+  EXPECT_THAT(report.parts[0].files, ElementsAre("a.wardmap", "b.wardmap"));
+  EXPECT_EQ(report.parts[0].keyframes, 28U);
+  EXPECT_GE(report.placesFound, 2U);
+  EXPECT_EQ(bytesOf(maps.a()) + bytesOf(maps.b()), before) << "the maps are as they were";
+
+  const auto all = storage::MapFile::open(maps.file("all.wardmap"));
+  EXPECT_THAT(all.check(), IsEmpty());
+  EXPECT_EQ(all.info().keyframes, 28U);
+  EXPECT_LT(all.info().trackingPoints, maps.runs().first.p_map_m.size() + maps.runs().second.p_map_m.size())
+      << "points are one where both saw them";
+  for (const auto& [id, keyframe] : all.read().keyframes)
+    EXPECT_LT(test::distance_m(keyframe.T_map_cam, maps.runs().walk.T_first_cam(id)), 0.03) << id;
+}
+
+TEST(MapMergeTest, TheOrderDoesNotMatterAndTheSameMapsGiveTheSameBytes) {
+  const MeetingMaps maps;
+  mergeMaps({maps.a(), maps.b()}, maps.file("ab.wardmap"), {}, goOn);
+  mergeMaps({maps.b(), maps.a()}, maps.file("ba.wardmap"), {}, goOn);
+  mergeMaps({maps.a(), maps.b()}, maps.file("again.wardmap"), {}, goOn);
+  EXPECT_TRUE(bytesOf(maps.file("ab.wardmap")) == bytesOf(maps.file("ba.wardmap")));
+  EXPECT_TRUE(bytesOf(maps.file("ab.wardmap")) == bytesOf(maps.file("again.wardmap")));
+}
+
+TEST(MapMergeTest, WhatNoPlaceConnectsStaysAPartByItself) {
+  const MeetingMaps maps(false);
+  const auto report = mergeMaps({maps.a(), maps.b()}, maps.file("all.wardmap"), {}, goOn);
+  ASSERT_EQ(report.parts.size(), 2U);
+  EXPECT_THAT(report.parts[0].files, ElementsAre("a.wardmap")) << "the larger is the map";
+  EXPECT_THAT(report.parts[1].files, ElementsAre("b.wardmap"));
+  const auto all = storage::MapFile::open(maps.file("all.wardmap"));
+  EXPECT_THAT(all.check(), IsEmpty());
+  const auto parts = all.info().parts;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_TRUE(parts[0].isMap);
+  EXPECT_EQ(parts[0].from, "a.wardmap");
+  EXPECT_EQ(parts[0].keyframes, 16U);
+  EXPECT_EQ(parts[1].from, "b.wardmap");
+  EXPECT_EQ(parts[1].keyframes, 8U);
+  EXPECT_EQ(parts[1].firstStamp_s, 17.0);
+  EXPECT_EQ(all.readViews().size(), 24U) << "nothing is thrown away";
+}
+
+TEST(MapMergeTest, WhoEndsItFindsNothingWritten) {
+  const MeetingMaps maps;
+  std::size_t keyframes = 0;
+  const auto endsSoon = [&](const Progress& progress) {
+    if (progress.unit == "keyframe" && ++keyframes == 3) throw core::InputError("interrupted");
+  };
+  EXPECT_THROW(mergeMaps({maps.a(), maps.b()}, maps.file("all.wardmap"), {}, endsSoon), core::InputError);
+  std::vector<std::string> left;
+  for (const auto& entry : std::filesystem::directory_iterator(maps.file(""))) left.push_back(entry.path().filename());
+  EXPECT_THAT(left, testing::UnorderedElementsAre("a.wardmap", "b.wardmap"));
+}
+
+TEST(MapMergeTest, TellsHowFarItIs) {
+  const MeetingMaps maps;
+  std::vector<std::size_t> keyframes;
+  mergeMaps({maps.a(), maps.b()}, maps.file("all.wardmap"), {}, [&](const Progress& progress) {
+    if (progress.unit != "keyframe") return;
+    EXPECT_EQ(progress.total, 28U);
+    keyframes.push_back(progress.done);
+  });
+  ASSERT_EQ(keyframes.size(), 12U) << "those of the second map look for places of the first";
+  EXPECT_EQ(keyframes.front(), 17U);
+  EXPECT_EQ(keyframes.back(), 28U);
+}
+
+TEST(MapMergeTest, RefusesWhatMakesNoSense) {
+  const MeetingMaps maps;
+  const auto complaint = [&](const std::vector<std::filesystem::path>& files, const std::string& out) {
+    return test::complaintOf([&] { mergeMaps(files, maps.file(out), {}, goOn); });
+  };
+  EXPECT_THAT(complaint({maps.a(), maps.b()}, "a.wardmap"), HasSubstr("is one of the maps"));
+  std::filesystem::copy_file(maps.a(), maps.file("copy.wardmap"));
+  EXPECT_THAT(complaint({maps.a(), maps.file("copy.wardmap")}, "all.wardmap"), HasSubstr("hold the same keyframes"));
+  EXPECT_THAT(complaint({maps.a(), maps.file("none.wardmap")}, "all.wardmap"), HasSubstr("none.wardmap"));
+}
+
+}  // namespace
+}  // namespace wardslam::merging
