@@ -38,7 +38,7 @@ TEST(RunsTest, FilesOfOneNameGoByTheirFolders) {
 class NamesTest : public testing::Test {
  protected:
   NamesTest() : runs_(readRuns({maps_.a(), maps_.b()}, goOn)) {
-    for (Run& run : runs_) run.map.semantic.objects[1].classId = 57;
+    for (merging::Run& run : runs_) run.map.semantic.objects[1].classId = 57;
   }
   std::string complaint() {
     return test::complaintOf([&] { requireThatTheyFit(runs_); });
