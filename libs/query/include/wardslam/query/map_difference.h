@@ -7,8 +7,8 @@
 
 namespace wardslam::query {
 
-/// Brings a thing into another frame, of which `T_other_map` says how the map lies in it. Its box parallel to the axes is
-/// then around the oriented one.
+/// Brings a thing into another frame, of which `T_other_map` says how the map lies in it. Its box parallel to the axes
+/// is then around the oriented one.
 void moveObject(mapping::MapObject& object, const Eigen::Isometry3d& T_other_map);
 
 /// What changed from one map to another of the same place, both in the same map frame.
