@@ -70,6 +70,16 @@ TEST(MapMergeTest, WhatNoPlaceConnectsStaysAPartByItself) {
   EXPECT_EQ(all.readViews().size(), 24U) << "nothing is thrown away";
 }
 
+TEST(MapMergeTest, ZonesOfAllMapsAreInIt) {
+  const MeetingMaps maps;
+  const mapping::Zone ward{"ward", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  MeetingMaps::write(maps.file("zoned.wardmap"), maps.runs().first, {ward});
+  mergeMaps({maps.file("zoned.wardmap"), maps.b()}, maps.file("all.wardmap"), {}, goOn);
+  const auto zones = storage::MapFile::open(maps.file("all.wardmap")).read().zones;
+  ASSERT_EQ(zones.size(), 1U);
+  EXPECT_EQ(zones.front().name, "ward");
+}
+
 TEST(MapMergeTest, WhoEndsItFindsNothingWritten) {
   const MeetingMaps maps;
   std::size_t keyframes = 0;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "graph/meeting_runs.h"
 #include "support/temporary_folder.h"
@@ -22,8 +23,10 @@ class MeetingMaps {
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] const graph::MeetingRuns& runs() const { return runs_; }
 
-  static void write(const std::filesystem::path& file, const graph::SavedGraph& graph) {
+  static void write(const std::filesystem::path& file, const graph::SavedGraph& graph,
+                    const std::vector<mapping::Zone>& zones = {}) {
     storage::MapChanges changes;
+    changes.zones = zones;
     changes.views = graph.keyframes;
     changes.graph.emplace();
     changes.graph->p_map_m = graph.p_map_m;
