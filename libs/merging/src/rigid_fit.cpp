@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wardslam/core/rigid_transform.h"
+#include "wardslam/core/rotation_vector.h"
 
 namespace wardslam::merging {
 namespace {
@@ -15,22 +16,10 @@ constexpr int kIterations = 30;
 constexpr double kConverged = 1e-12;
 constexpr double kKernel = 3.0;  // standard deviations
 
-Eigen::Matrix3d crossWith(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-Eigen::Vector3d rotationVector(const Eigen::Matrix3d& R) {
-  const Eigen::AngleAxisd turn(R);
-  return turn.angle() * turn.axis();
-}
-
 Eigen::Isometry3d motionBy(const Vector6& step) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.translation() = step.head<3>();
-  const double angle = step.tail<3>().norm();
-  if (angle > 0) motion.linear() = Eigen::AngleAxisd(angle, step.tail<3>() / angle).toRotationMatrix();
+  motion.linear() = core::rotationBy(step.tail<3>());
   return motion;
 }
 
@@ -45,8 +34,8 @@ Residual residualOf(const PosePair& pair, const Eigen::Isometry3d& T_a_b) {
   const Eigen::Isometry3d T_a_cam = T_a_b * pair.T_b_cam;
   Residual residual;
   residual.error << T_a_cam.translation() - pair.T_a_cam.translation(),
-      rotationVector(T_a_cam.linear() * pair.T_a_cam.linear().transpose());
-  residual.jacobian.topRightCorner<3, 3>() = -crossWith(T_a_cam.translation());
+      core::rotationVectorOf(T_a_cam.linear() * pair.T_a_cam.linear().transpose());
+  residual.jacobian.topRightCorner<3, 3>() = -core::crossProductWith(T_a_cam.translation());
   return residual;
 }
 

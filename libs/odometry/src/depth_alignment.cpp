@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "cross_product.h"
 #include "twist.h"
+#include "wardslam/core/rotation_vector.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -110,7 +110,7 @@ struct NormalEquations {
       H += pair.weight_per_m2 * J * J.transpose();
       gradient += pair.weight_per_m2 * pair.off_m * J;
       Eigen::Matrix<double, 3, 6> moved;  // how the point moves
-      moved << Eigen::Matrix3d::Identity(), -crossProductWith(pair.p_now_m) / depth_m;
+      moved << Eigen::Matrix3d::Identity(), -core::crossProductWith(pair.p_now_m) / depth_m;
       noise += pair.weight_per_m2 * pair.normalVariance_rad2 * moved.transpose() * moved;
     }
   }

@@ -1,9 +1,9 @@
 #include "wardslam/odometry/motion_prior.h"
+#include "wardslam/core/rotation_vector.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "cross_product.h"
 #include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::odometry {
@@ -14,7 +14,7 @@ PoseCovariance adjoint(const Eigen::Isometry3d& T_b_a) {
   const Eigen::Matrix3d R = T_b_a.linear();
   PoseCovariance adjoint = PoseCovariance::Zero();
   adjoint.topLeftCorner<3, 3>() = R;
-  adjoint.topRightCorner<3, 3>() = crossProductWith(T_b_a.translation()) * R;
+  adjoint.topRightCorner<3, 3>() = core::crossProductWith(T_b_a.translation()) * R;
   adjoint.bottomRightCorner<3, 3>() = R;
   return adjoint;
 }

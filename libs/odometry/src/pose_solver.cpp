@@ -1,4 +1,5 @@
 #include "wardslam/odometry/pose_solver.h"
+#include "wardslam/core/rotation_vector.h"
 
 #include <ceres/ceres.h>
 
@@ -8,7 +9,6 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
-#include "cross_product.h"
 #include "wardslam/odometry/observation_error.h"
 
 namespace wardslam::odometry {
@@ -100,7 +100,7 @@ Eigen::Matrix<double, 3, 6> jacobian(const PointObservation& observation, const 
       keypoint.hasDepth() ? 1.0 / (options.depth_sigma_scale * core::depthSigma_m(keypoint, camera.depthNoise)) : 0.0;
   Eigen::Matrix<double, 3, 6> ofPose;
   ofPose.leftCols<3>() = -Eigen::Matrix3d::Identity();
-  ofPose.rightCols<3>() = crossProductWith(p_cam_m);
+  ofPose.rightCols<3>() = core::crossProductWith(p_cam_m);
   return ofPoint * ofPose;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cross_product.h"
+#include "wardslam/core/rotation_vector.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -121,7 +121,7 @@ void ReadoutEstimator::compare(std::size_t before, std::size_t now, const core::
     if (p_m.z() < kNearest_m) continue;
     const Eigen::Matrix<double, 2, 3> J = projectionJacobian(p_m, camera) / (kPixelSigma_px * here.scale);
     Row row;
-    row.ofPose << J, -J * crossProductWith(p_m);
+    row.ofPose << J, -J * core::crossProductWith(p_m);
     row.ofReadout =
         J * (T_now_before.linear() * driftOf(there, p_before_m, twistBefore) - driftOf(here, p_m, twistNow));
     row.error = (here.undistorted_px - camera.project(p_m)) / (kPixelSigma_px * here.scale);
