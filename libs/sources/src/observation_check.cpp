@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include "wardslam/core/camera_limits.h"
 
 namespace wardslam::sources {
 namespace {
@@ -13,9 +14,6 @@ namespace {
 using mrpt::img::TCamera;
 
 constexpr double kLeastBaseline_m = 0.001;
-constexpr double kLongestBaseline_m = 10.0;
-constexpr double kLongestFocus_px = 1e6;
-constexpr double kStrongestLens = 1e4;
 constexpr double kFarthest_m = 1e8;
 
 constexpr const char* kGiveCamera = "give the right --camera";
@@ -27,9 +25,9 @@ std::string sizeText(std::size_t width_px, std::size_t height_px) {
 
 /// What reckons with other numbers takes for ever, or ends nowhere.
 bool isPossible(const TCamera& camera) {
-  const auto isFocus = [](double focus_px) { return focus_px >= 1.0 && focus_px <= kLongestFocus_px; };
+  const auto isFocus = [](double focus_px) { return focus_px >= 1.0 && focus_px <= core::kLongestFocus_px; };
   const bool isLens =
-      std::all_of(camera.dist.begin(), camera.dist.end(), [](double k) { return std::abs(k) <= kStrongestLens; });
+      std::all_of(camera.dist.begin(), camera.dist.end(), [](double k) { return std::abs(k) <= core::kStrongestLens; });
   return isFocus(camera.fx()) && isFocus(camera.fy()) && isLens;
 }
 
@@ -102,7 +100,7 @@ std::optional<std::string> whyUnusable(const mrpt::obs::CObservationStereoImages
   if (!(pair.rightCameraPose.norm() > kLeastBaseline_m)) {
     return std::string("has both cameras in one place; ") + kCorrectRawlog;
   }
-  if (!(pair.rightCameraPose.norm() < kLongestBaseline_m)) {
+  if (!(pair.rightCameraPose.norm() < core::kLongestBaseline_m)) {
     return std::string("has its cameras farther apart than any stereo camera; ") + kCorrectRawlog;
   }
   return std::nullopt;

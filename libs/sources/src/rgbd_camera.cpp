@@ -11,6 +11,7 @@
 
 #include "camera_formats/camera_format.h"
 #include "camera_formats/camera_values.h"
+#include "wardslam/core/camera_limits.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/options.h"
@@ -27,7 +28,6 @@ constexpr double kOddCentre = 0.1;  // of the image's width or height
 constexpr int kSmallest_px = 16;
 constexpr double kLargestFocalLength_px = 1e5;
 constexpr double kLargestCentre_px = 1e6;
-constexpr double kStrongestLens = 1e4;
 
 /// YAML as OpenCV writes it, which the standard's parsers refuse: "%YAML:1.0", "key:value". Lines keep their numbers.
 std::string standardYaml(const fs::path& file) {
@@ -108,7 +108,7 @@ void requireSound(const core::CameraModel& camera, const ConfigNode& root) {
     }
   }
   for (const double k : {camera.k1, camera.k2, camera.p1, camera.p2, camera.k3}) {
-    if (!(std::abs(k) <= kStrongestLens)) root.fail("has a coefficient of the lens that no lens has");
+    if (!(std::abs(k) <= core::kStrongestLens)) root.fail("has a coefficient of the lens that no lens has");
   }
   for (const double centre_px : {camera.cx_px, camera.cy_px}) {
     if (!(std::abs(centre_px) <= kLargestCentre_px)) root.fail("has a principal point that no camera has");

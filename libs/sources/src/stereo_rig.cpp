@@ -7,6 +7,7 @@
 #include <opencv2/core/eigen.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "wardslam/core/camera_limits.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 
@@ -66,12 +67,10 @@ StereoRig rectify(const core::CameraModel& left, const core::CameraModel& right,
 
 /// Lenses and poses that no pair of cameras has can lead anywhere.
 StereoRig requireSound(StereoRig rig) {
-  constexpr double kLongestFocus_px = 1e6;
-  constexpr double kLongestBaseline_m = 10.0;
   const core::CameraModel& camera = rig.camera;
-  const bool isSound = camera.fx_px >= 1.0 && camera.fx_px <= kLongestFocus_px && std::isfinite(camera.fy_px) &&
+  const bool isSound = camera.fx_px >= 1.0 && camera.fx_px <= core::kLongestFocus_px && std::isfinite(camera.fy_px) &&
                        std::isfinite(camera.cx_px) && std::isfinite(camera.cy_px) && rig.baseline_m > 0.0 &&
-                       rig.baseline_m <= kLongestBaseline_m && rig.R_left_rectified.allFinite();
+                       rig.baseline_m <= core::kLongestBaseline_m && rig.R_left_rectified.allFinite();
   if (isSound) return rig;
   throw core::FrameError(
       "the calibration of the stereo pair cannot be rectified; correct it with rawlog-edit --camera-params");

@@ -9,14 +9,13 @@
 
 #include "blob_codecs.h"
 #include "map_rows.h"
+#include "wardslam/core/camera_limits.h"
 
 namespace wardslam::storage {
 namespace {
 
 // What any camera and any floor plan has room in.
 constexpr int kWidest_px = 20000;
-constexpr double kLongestFocus_px = 1e6;
-constexpr double kStrongestLens = 1e4;
 constexpr double kFinestPlan_m = 1e-3;
 constexpr double kCoarsestPlan_m = 100.0;
 constexpr double kFarthestGround_m = 1e4;
@@ -204,11 +203,12 @@ std::map<std::uint32_t, core::CameraModel> readCameras(SQLite::Database& databas
                std::uint32_t id = 0;
                core::CameraModel c;
                row >> id >> within(c.width_px, 1, kWidest_px) >> within(c.height_px, 1, kWidest_px);
-               for (double* focus_px : {&c.fx_px, &c.fy_px}) row >> within(*focus_px, 1.0, kLongestFocus_px);
+               for (double* focus_px : {&c.fx_px, &c.fy_px}) row >> within(*focus_px, 1.0, core::kLongestFocus_px);
                for (double* centre_px : {&c.cx_px, &c.cy_px}) {
-                 row >> within(*centre_px, -kLongestFocus_px, kLongestFocus_px);
+                 row >> within(*centre_px, -core::kLongestFocus_px, core::kLongestFocus_px);
                }
-               for (double* k : {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3}) row >> within(*k, -kStrongestLens, kStrongestLens);
+               for (double* k : {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3})
+                 row >> within(*k, -core::kStrongestLens, core::kStrongestLens);
                cameras.emplace(id, c);
              });
   return cameras;
