@@ -57,12 +57,6 @@ class ProgressLines {
   std::unique_ptr<Progress> line_;
 };
 
-std::string listOf(const std::vector<std::string>& files) {
-  std::string list;
-  for (const std::string& file : files) list += (list.empty() ? "" : ", ") + file;
-  return list;
-}
-
 Json toJson(const merging::MergeReport& report) {
   Json parts = Json::array();
   for (const auto& part : report.parts) parts.push_back({{"files", part.files}, {"keyframes", part.keyframes}});
@@ -71,8 +65,8 @@ Json toJson(const merging::MergeReport& report) {
 
 void print(std::ostream& out, const merging::MergeReport& report) {
   for (const auto& part : report.parts) {
-    out << (&part == &report.parts.front() ? "map: " : "a part by itself, as no place connects it: ")
-        << listOf(part.files) << " (" << part.keyframes << " keyframes)\n";
+    out << (&part == &report.parts.front() ? "map: " : "a part by itself, as no place connects it: ") << part.fileList()
+        << " (" << part.keyframes << " keyframes)\n";
   }
   out << "places of one map that others recognised: " << report.placesFound << "\n";
 }

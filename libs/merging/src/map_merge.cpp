@@ -127,12 +127,6 @@ std::vector<std::pair<std::uint32_t, MergeReport::Part>> partsOf(const std::vect
   return parts;
 }
 
-std::string listOf(const std::vector<std::string>& files) {
-  std::string list;
-  for (const std::string& file : files) list += (list.empty() ? "" : ", ") + file;
-  return list;
-}
-
 void requireThatNoMapIsReplaced(const std::vector<std::filesystem::path>& maps, const std::filesystem::path& out) {
   for (const auto& map : maps) {
     std::error_code error;
@@ -142,6 +136,12 @@ void requireThatNoMapIsReplaced(const std::vector<std::filesystem::path>& maps, 
 }
 
 }  // namespace
+
+std::string MergeReport::Part::fileList() const {
+  std::string list;
+  for (const std::string& file : files) list += (list.empty() ? "" : ", ") + file;
+  return list;
+}
 
 MergeReport mergeMaps(const std::vector<std::filesystem::path>& maps, const std::filesystem::path& out,
                       const pipeline::SlamOptions& options, const ProgressSink& progress) {
@@ -154,7 +154,7 @@ MergeReport mergeMaps(const std::vector<std::filesystem::path>& maps, const std:
   storage::MapHeader header{labelsOf(runs), runs.front().header.options, {}};
   MergeReport report{{}, joined.looksBetweenRuns.size(), std::move(zones.notes)};
   for (auto& [piece, part] : partsOf(runs, joined)) {
-    header.from[piece] = listOf(part.files);
+    header.from[piece] = part.fileList();
     report.parts.push_back(std::move(part));
   }
 

@@ -30,12 +30,12 @@ core::Features rectified(const core::Features& features, const core::CameraModel
 }
 
 RollingShutter::RollingShutter(const RollingShutterOptions& options)
-    : isTold_(options.readout_s != 0.0),
+    : isSettled_(options.readout_s != 0.0),
       learns_(options.learn),
       estimator_(options.readout_s, options.readout_sigma_s) {}
 
 void RollingShutter::begin(const core::CameraModel& camera) {
-  if (std::exchange(hasBegun_, true) || isTold_ || camera.readout_s == 0.0) return;
+  if (std::exchange(isSettled_, true) || camera.readout_s == 0.0) return;
   estimator_ = ReadoutEstimator(camera.readout_s, kCalibrated_s);
   learns_ = false;
 }

@@ -43,8 +43,7 @@ class RollingShutter {
   [[nodiscard]] double readout_s() const { return estimator_.readout_s(); }
 
  private:
-  bool hasBegun_ = false;
-  bool isTold_;  ///< By the options.
+  bool isSettled_;  ///< Where learning starts: by the options, or by the first camera.
   bool learns_;
   ReadoutEstimator estimator_;
   std::optional<Twist> twist_;

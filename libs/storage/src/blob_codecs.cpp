@@ -141,7 +141,7 @@ core::Bytes encodeFeatures(const core::Features& features) {
   core::ByteWriter out;
   out.put(static_cast<std::uint32_t>(features.size()));
   auto keypoints = features.keypoints;
-  putColumns(out, keypoints);
+  forEachColumn(keypoints, putting(out));
   addedColumn(keypoints, putting(out));
   for (std::size_t i = 0; i < features.size(); ++i) {
     out.putBytes(features.descriptors.ptr(static_cast<int>(i)), sizeof(OrbDescriptor));

@@ -25,6 +25,8 @@ struct MergeReport {
   struct Part {
     std::vector<std::string> files;  ///< Without folders where that tells them apart, the oldest first.
     std::size_t keyframes = 0;
+
+    [[nodiscard]] std::string fileList() const;  ///< "a.wardmap, b.wardmap"
   };
   std::vector<Part> parts;         ///< What places connect is one part. The map, the largest, is the first.
   std::size_t placesFound = 0;     ///< Looks from keyframes of one map that found a place of another.
