@@ -17,25 +17,11 @@ every run: file checked, poses, objects and free floor against the truth, and wh
 TEXT
 }
 
-(($# >= 2)) || { usage >&2; exit 2; }
-bin=$(realpath "$1") out=$2 route=lobby rate=10 seed=1
-shift 2
-while (($# > 0)); do
-  case "$1" in
-    --route) route=$2; shift 2 ;;
-    --rate) rate=$2; shift 2 ;;
-    --seed) seed=$2; shift 2 ;;
-    *) usage >&2; exit 2 ;;
-  esac
-done
-mkdir -p "$out"
-cd "$out"
+# shellcheck source=tests/bench/hospital_days.sh
+source "$(dirname "${BASH_SOURCE[0]}")/hospital_days.sh"
+rate=10
+read_arguments "$@"
 readonly map=ward.wardmap
-
-render() { # render NAME DAY ROBOT [OPTION]...
-  [[ -f $1.rawlog ]] || "$bin/rawlog-synth" -o "$1.rawlog" --scene hospital --route "$route" --seed "$seed" \
-    --day "$2" --robot "$3" --rate "$rate" --width 320 --height 240 "${@:4}"
-}
 
 go() { # go NAME: run on the map of the one before, if there is one
   local arguments=("$1.rawlog" --masks "$1_labels/masks" --out "$1")

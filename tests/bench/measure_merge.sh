@@ -16,25 +16,15 @@ truly stood there on the last day; whether the order of the maps matters; whethe
 TEXT
 }
 
-(($# >= 2)) || { usage >&2; exit 2; }
-bin=$(realpath "$1") out=$2 route=lobby rate=5 seed=1
-shift 2
-while (($# > 0)); do
-  case "$1" in
-    --route) route=$2; shift 2 ;;
-    --rate) rate=$2; shift 2 ;;
-    --seed) seed=$2; shift 2 ;;
-    *) usage >&2; exit 2 ;;
-  esac
-done
-mkdir -p "$out"
-cd "$out"
+# shellcheck source=tests/bench/hospital_days.sh
+source "$(dirname "${BASH_SOURCE[0]}")/hospital_days.sh"
+rate=5
+read_arguments "$@"
 readonly runs=(day0 day1 day2)
 
 for day in 0 1 2; do
   name=day$day
-  [[ -f $name.rawlog ]] || "$bin/rawlog-synth" -o "$name.rawlog" --scene hospital --route "$route" --seed "$seed" \
-    --day $day --robot $day --rate "$rate" --width 320 --height 240
+  render "$name" $day $day
   [[ -f $name/map.wardmap ]] || "$bin/wardslam" run "$name.rawlog" --masks "${name}_labels/masks" --out "$name" \
     >"$name.log" 2>&1
   cp "$name/map.wardmap" "$name.wardmap"
