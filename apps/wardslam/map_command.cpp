@@ -1,6 +1,7 @@
 #include "map_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,8 +13,10 @@
 #include "map_export_command.h"
 #include "map_merge_command.h"
 #include "map_report.h"
+#include "map_rooms_command.h"
 #include "map_view_command.h"
 #include "stored_map.h"
+#include "stored_rooms.h"
 #include "support/table.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
@@ -32,6 +35,7 @@ struct MapArguments {
   std::filesystem::path other;
   std::string className;
   std::string zone;
+  std::string room;
   std::string state;
   std::vector<double> box_m;    ///< x0 y0 z0 x1 y1 z1
   std::vector<double> point_m;  ///< x y [z]
@@ -101,10 +105,18 @@ void info(const MapArguments& arguments) {
   show(arguments, toJson(info, plan), [&](std::ostream& out) { print(out, info, plan); });
 }
 
+void keepThoseIn(const std::string& room, const mapping::SemanticMap& map, Objects& objects) {
+  const auto rooms = roomsOf(map);
+  const auto& name = rooms.named(room).name;
+  const auto isElsewhere = [&](const auto* object) { return roomAt(rooms, object->centroid_m) != name; };
+  objects.erase(std::remove_if(objects.begin(), objects.end(), isElsewhere), objects.end());
+}
+
 void objects(const MapArguments& arguments) {
   const auto map = readStoredMap(arguments.file, CloudPart::LeaveOut);
   const query::MapQuery query(map);
-  const auto found = query.objects(filterOf(arguments, map));
+  auto found = query.objects(filterOf(arguments, map));
+  if (!arguments.room.empty()) keepThoseIn(arguments.room, map, found);
   show(arguments, toJson(found, map.labels), [&](std::ostream& out) { print(out, found, map.labels); });
 }
 
@@ -220,6 +232,7 @@ void addMapCommand(CLI::App& app) {
   objectsVerb->add_option("--class", arguments->className, "only things of this class, such as chair");
   objectsVerb->add_option("--box", arguments->box_m, "only what reaches into this box: x y z of two corners, metres")
       ->expected(6);
+  objectsVerb->add_option("--room", arguments->room, "only what stands in this room, as `map rooms` calls it");
   addFilters(*objectsVerb, *arguments);
 
   CLI::App* nearestVerb = addVerb(*command, "nearest", "The nearest thing of a class", nearest, arguments);
@@ -234,6 +247,7 @@ void addMapCommand(CLI::App& app) {
       ->add_option("OTHER", arguments->other,
                    "the later map (.wardmap); where its frame is another, the places that both show tell how it lies")
       ->required();
+  addMapRoomsCommand(*command);
   addMapMergeCommands(*command);
   addMapExportCommand(*command);
   addMapViewCommand(*command);

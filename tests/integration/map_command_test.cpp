@@ -98,6 +98,21 @@ TEST_F(MapCommandTest, ZonesAndWhatStandsInThem) {
   EXPECT_EQ(zones[1]["polygon"].size(), 4U);
 }
 
+TEST_F(MapCommandTest, RoomsOnBothSidesOfTheWall) {
+  const json found = mapJson({"rooms"});
+  ASSERT_EQ(found["rooms"].size(), 2U);
+  ASSERT_EQ(found["doors"].size(), 1U);
+  EXPECT_NEAR(found["doors"][0]["width_m"].get<double>(), 0.9, 0.11);
+  const auto& zoned = found["rooms"][found["rooms"][0]["name"] == "clean zone" ? 0 : 1];
+  EXPECT_EQ(zoned["name"], "clean zone");
+  EXPECT_NEAR(zoned["area_m2"].get<double>(), 4.0 * 5.9, 0.4);
+  EXPECT_EQ(zoned["objects"], 3);
+  EXPECT_THAT(objectIds({"--room", "clean zone"}), ElementsAre(1, 2, 3));
+  const auto unknown = map({"objects", "--room", "clean zones"});
+  EXPECT_EQ(unknown.exitCode, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("no room is called 'clean zones'; did you mean 'clean zone'?"));
+}
+
 TEST_F(MapCommandTest, InfoTellsHowMuchTheMapHolds) {
   const auto info = mapJson({"info"});
   EXPECT_EQ(info["keyframes"], 3);

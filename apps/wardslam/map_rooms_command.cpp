@@ -1,0 +1,129 @@
+#include "map_rooms_command.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "stored_map.h"
+#include "stored_rooms.h"
+#include "support/table.h"
+#include "wardslam/core/atomic_file.h"
+#include "wardslam/viewer/rooms_picture.h"
+
+namespace wardslam::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct RoomsArguments {
+  std::filesystem::path file;
+  std::filesystem::path picture;
+  building::RoomOptions options;
+  bool json = false;
+};
+
+/// By the name of the room.
+struct Contents {
+  std::map<std::string, int> things;  ///< That stand there now.
+  std::map<std::string, int> keyframes;
+};
+
+Contents contentsOf(const mapping::SemanticMap& map, const building::Rooms& rooms) {
+  Contents contents;
+  for (const auto& [id, object] : map.objects) {
+    if (object.piece != map.piece || object.state == mapping::ObjectState::Gone) continue;
+    ++contents.things[roomAt(rooms, object.centroid_m)];
+  }
+  for (const auto& [id, keyframe] : map.keyframes) {
+    if (keyframe.piece == map.piece) ++contents.keyframes[roomAt(rooms, keyframe.T_map_cam.translation())];
+  }
+  return contents;
+}
+
+Json toJson(const Eigen::Vector2d& p_m) { return {p_m.x(), p_m.y()}; }
+
+Json toJson(const building::Room& room, Contents& contents) {
+  Json outline = Json::array();
+  for (const auto& corner : room.outline_m) outline.push_back(toJson(corner));
+  return {{"id", room.id},
+          {"name", room.name},
+          {"area_m2", room.area_m2},
+          {"middle", toJson(room.middle_m)},
+          {"objects", contents.things[room.name]},
+          {"keyframes", contents.keyframes[room.name]},
+          {"outline", outline}};
+}
+
+const std::string& nameOf(const building::Rooms& rooms, int id) {
+  return rooms.all[static_cast<std::size_t>(id - 1)].name;
+}
+
+Json toJson(const building::Rooms& rooms, Contents& contents) {
+  Json list = Json::array();
+  for (const auto& room : rooms.all) list.push_back(toJson(room, contents));
+  Json doors = Json::array();
+  for (const auto& door : rooms.doors) {
+    doors.push_back({{"rooms", {nameOf(rooms, door.room), nameOf(rooms, door.other)}},
+                     {"from", toJson(door.from_m)},
+                     {"to", toJson(door.to_m)},
+                     {"width_m", door.width_m}});
+  }
+  return {{"rooms", list}, {"doors", doors}};
+}
+
+void print(std::ostream& out, const building::Rooms& rooms, Contents& contents) {
+  std::map<int, std::string> leadsTo;
+  for (const auto& door : rooms.doors) {
+    for (const auto& [room, other] : {std::pair(door.room, door.other), std::pair(door.other, door.room)}) {
+      auto& names = leadsTo[room];
+      names += (names.empty() ? "" : ", ") + nameOf(rooms, other);
+    }
+  }
+  Table table({"room", "area [m2]", "middle [m]", "objects", "keyframes", "doors to"});
+  for (const auto& room : rooms.all) {
+    table.add({room.name, fixed(room.area_m2, 1), fixed(room.middle_m.x(), 2) + " " + fixed(room.middle_m.y(), 2),
+               std::to_string(contents.things[room.name]), std::to_string(contents.keyframes[room.name]),
+               leadsTo[room.id]});
+  }
+  table.print(out);
+}
+
+void listRooms(const RoomsArguments& arguments) {
+  const auto map = readStoredMap(arguments.file, storage::CloudPart::LeaveOut);
+  const auto rooms = roomsOf(map, arguments.options);
+  if (!arguments.picture.empty()) {
+    std::vector<unsigned char> png;
+    cv::imencode(".png", viewer::drawRooms(rooms), png);
+    core::writeFileAtomically(arguments.picture, std::string(png.begin(), png.end()));
+  }
+  auto contents = contentsOf(map, rooms);
+  if (arguments.json) {
+    std::cout << toJson(rooms, contents).dump(2) << "\n";
+  } else {
+    print(std::cout, rooms, contents);
+  }
+}
+
+}  // namespace
+
+void addMapRoomsCommand(CLI::App& mapCommand) {
+  CLI::App* command = mapCommand.add_subcommand("rooms", "The rooms of the floor plan and the doors between them");
+  const auto arguments = std::make_shared<RoomsArguments>();
+  command->add_option("FILE", arguments->file, "a map (.wardmap)")->required();
+  command->add_option("--picture", arguments->picture, "write a PNG of them, too");
+  command
+      ->add_option("--widest-door", arguments->options.widestDoor_m,
+                   "a wider passage joins what it leads to to one room, metres")
+      ->check(CLI::Range(0.5, 10.0))
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "print JSON instead of a table");
+  command->callback([arguments] { listRooms(*arguments); });
+}
+
+}  // namespace wardslam::apps

@@ -1,0 +1,122 @@
+#include "wardslam/building/room_finder.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "floor_regions.h"
+#include "floor_without_things.h"
+#include "room_doors.h"
+
+namespace wardslam::building {
+namespace {
+
+constexpr double kOutlineTolerance = 1.5;  // cells
+constexpr double kNarrowestDoor_m = 0.5;   // nobody gets through less
+constexpr double kIsThisZone = 0.5;        // of what is in the zone, in the room or in both
+
+Eigen::Vector2d placeOf(const Rooms& rooms, const cv::Point& cell) {
+  return rooms.origin_m + rooms.resolution_m * Eigen::Vector2d(cell.x + 0.5, cell.y + 0.5);
+}
+
+/// Through the middles of the cells along its edge.
+std::vector<Eigen::Vector2d> outlineOf(const Rooms& rooms, int id) {
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(rooms.ids == id, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  const auto largest = std::max_element(contours.begin(), contours.end(), [](const auto& a, const auto& b) {
+    return cv::contourArea(a) < cv::contourArea(b);
+  });
+  std::vector<Eigen::Vector2d> outline_m;
+  if (largest == contours.end()) return outline_m;
+  std::vector<cv::Point> corners;
+  cv::approxPolyDP(*largest, corners, kOutlineTolerance, true);
+  for (const auto& corner : corners) outline_m.push_back(placeOf(rooms, corner));
+  return outline_m;
+}
+
+/// Whether somebody gets through. Where boxes of things reach through a wall, rooms touch, too.
+bool leadsThrough(const RegionBorder& border, const mapping::FloorPlan& plan) {
+  const auto isFree = [&plan](const cv::Point& cell) {
+    return plan.cells.at<unsigned char>(cell) == mapping::FloorPlan::kFree;
+  };
+  const auto free = std::count_if(border.cells.begin(), border.cells.end(), isFree);
+  return 2 * free > static_cast<std::ptrdiff_t>(border.cells.size()) &&
+         2.0 * static_cast<double>(border.halfWidth) * plan.resolution_m >= kNarrowestDoor_m;
+}
+
+std::vector<Door> doorsOf(const Rooms& rooms, const FloorRegions& regions, const mapping::FloorPlan& plan) {
+  std::vector<Door> doors;
+  for (const auto& border : bordersOf(regions)) {
+    if (!leadsThrough(border, plan)) continue;
+    doors.push_back({border.region, border.other, placeOf(rooms, border.from), placeOf(rooms, border.to),
+                     2.0 * static_cast<double>(border.halfWidth) * rooms.resolution_m});
+  }
+  return doors;
+}
+
+/// How many cells each room has in each zone; the last of a room's numbers is that of all its cells.
+std::vector<std::vector<double>> cellsInZones(const Rooms& rooms, const std::vector<mapping::Zone>& zones,
+                                              std::vector<double>& cellsOfZones) {
+  std::vector<std::vector<double>> cells(rooms.all.size(), std::vector<double>(zones.size() + 1, 0.0));
+  cellsOfZones.assign(zones.size(), 0.0);
+  for (int row = 0; row < rooms.ids.rows; ++row) {
+    for (int column = 0; column < rooms.ids.cols; ++column) {
+      const int id = rooms.ids.at<int>(row, column);
+      if (id == 0) continue;
+      auto& ofRoom = cells[static_cast<std::size_t>(id - 1)];
+      ofRoom.back() += 1.0;
+      for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+        if (!mapping::contains(zones[zone], placeOf(rooms, {column, row}))) continue;
+        ofRoom[zone] += 1.0;
+        cellsOfZones[zone] += 1.0;
+      }
+    }
+  }
+  return cells;
+}
+
+/// A room and a zone that are mostly the same have one name. As more than half of both is the same, of one room there
+/// is one such zone, and of a zone one room.
+void nameAfterZones(Rooms& rooms, const std::vector<mapping::Zone>& zones) {
+  std::vector<double> cellsOfZones;
+  const auto cells = cellsInZones(rooms, zones, cellsOfZones);
+  for (std::size_t room = 0; room < rooms.all.size(); ++room) {
+    for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+      const double inBoth = cells[room][zone];
+      const double inEither = cells[room].back() + cellsOfZones[zone] - inBoth;
+      if (inBoth > kIsThisZone * inEither) rooms.all[room].name = zones[zone].name;
+    }
+  }
+}
+
+/// "room 7"; no zone is called so.
+std::string numberedName(int id, const std::vector<mapping::Zone>& zones) {
+  std::string name = "room " + std::to_string(id);
+  const auto isTaken = [&name](const mapping::Zone& zone) { return zone.name == name; };
+  while (std::any_of(zones.begin(), zones.end(), isTaken)) name += "'";
+  return name;
+}
+
+}  // namespace
+
+Rooms findRooms(const mapping::FloorPlan& plan, const std::vector<const mapping::MapObject*>& things,
+                const std::vector<mapping::Zone>& zones, const RoomOptions& options) {
+  Rooms rooms;
+  rooms.resolution_m = plan.resolution_m;
+  rooms.origin_m = plan.origin_m;
+  if (plan.cells.empty()) return rooms;
+  const double cell_m2 = plan.resolution_m * plan.resolution_m;
+  const auto regions = cutAtNarrowPlaces(floorWithoutThings(plan, things),
+                                         {options.widestDoor_m / plan.resolution_m, options.smallestRoom_m2 / cell_m2});
+  rooms.ids = regions.ids;
+  for (std::size_t i = 0; i < regions.middles.size(); ++i) {
+    const int id = static_cast<int>(i) + 1;
+    rooms.all.push_back({id, numberedName(id, zones), cell_m2 * cv::countNonZero(rooms.ids == id),
+                         placeOf(rooms, regions.middles[i]), outlineOf(rooms, id)});
+  }
+  rooms.doors = doorsOf(rooms, regions, plan);
+  nameAfterZones(rooms, zones);
+  return rooms;
+}
+
+}  // namespace wardslam::building
