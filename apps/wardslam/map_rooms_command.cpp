@@ -6,14 +6,13 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
-#include <vector>
+#include <utility>
 
+#include "picture_file.h"
 #include "stored_map.h"
 #include "stored_rooms.h"
 #include "support/table.h"
-#include "wardslam/core/atomic_file.h"
 #include "wardslam/viewer/rooms_picture.h"
 
 namespace wardslam::apps {
@@ -97,11 +96,7 @@ void print(std::ostream& out, const building::Rooms& rooms, Contents& contents) 
 void listRooms(const RoomsArguments& arguments) {
   const auto map = readStoredMap(arguments.file, storage::CloudPart::LeaveOut);
   const auto rooms = roomsOf(map, arguments.options);
-  if (!arguments.picture.empty()) {
-    std::vector<unsigned char> png;
-    cv::imencode(".png", viewer::drawRooms(rooms), png);
-    core::writeFileAtomically(arguments.picture, std::string(png.begin(), png.end()));
-  }
+  if (!arguments.picture.empty()) writePng(arguments.picture, viewer::drawRooms(rooms));
   auto contents = contentsOf(map, rooms);
   if (arguments.json) {
     std::cout << toJson(rooms, contents).dump(2) << "\n";

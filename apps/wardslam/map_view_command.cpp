@@ -3,13 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
-#include <string>
-#include <vector>
+#include <opencv2/core.hpp>
 
+#include "picture_file.h"
 #include "stored_map.h"
-#include "wardslam/core/atomic_file.h"
 #include "wardslam/viewer/map_window.h"
 #include "wardslam/viewer/perspective_picture.h"
 #include "wardslam/viewer/plan_picture.h"
@@ -38,9 +35,7 @@ void view(const ViewArguments& arguments) {
     viewer::showMap(map, arguments.file.filename().string());
     return;
   }
-  std::vector<unsigned char> png;
-  cv::imencode(".png", drawBoth(map), png);
-  core::writeFileAtomically(arguments.picture, std::string(png.begin(), png.end()));
+  writePng(arguments.picture, drawBoth(map));
 }
 
 }  // namespace

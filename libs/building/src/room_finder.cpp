@@ -1,6 +1,7 @@
 #include "wardslam/building/room_finder.h"
 
 #include <algorithm>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <string>
 
@@ -54,22 +55,14 @@ std::vector<Door> doorsOf(const Rooms& rooms, const FloorRegions& regions, const
   return doors;
 }
 
-/// How many cells each room has in each zone; the last of a room's numbers is that of all its cells.
-std::vector<std::vector<double>> cellsInZones(const Rooms& rooms, const std::vector<mapping::Zone>& zones,
-                                              std::vector<double>& cellsOfZones) {
-  std::vector<std::vector<double>> cells(rooms.all.size(), std::vector<double>(zones.size() + 1, 0.0));
-  cellsOfZones.assign(zones.size(), 0.0);
+/// How many cells each room has in the zone.
+std::vector<double> cellsIn(const mapping::Zone& zone, const Rooms& rooms) {
+  std::vector<double> cells(rooms.all.size(), 0.0);
   for (int row = 0; row < rooms.ids.rows; ++row) {
     for (int column = 0; column < rooms.ids.cols; ++column) {
       const int id = rooms.ids.at<int>(row, column);
-      if (id == 0) continue;
-      auto& ofRoom = cells[static_cast<std::size_t>(id - 1)];
-      ofRoom.back() += 1.0;
-      for (std::size_t zone = 0; zone < zones.size(); ++zone) {
-        if (!mapping::contains(zones[zone], placeOf(rooms, {column, row}))) continue;
-        ofRoom[zone] += 1.0;
-        cellsOfZones[zone] += 1.0;
-      }
+      if (id != 0 && mapping::contains(zone, placeOf(rooms, {column, row})))
+        cells[static_cast<std::size_t>(id - 1)] += 1.0;
     }
   }
   return cells;
@@ -78,13 +71,13 @@ std::vector<std::vector<double>> cellsInZones(const Rooms& rooms, const std::vec
 /// A room and a zone that are mostly the same have one name. As more than half of both is the same, of one room there
 /// is one such zone, and of a zone one room.
 void nameAfterZones(Rooms& rooms, const std::vector<mapping::Zone>& zones) {
-  std::vector<double> cellsOfZones;
-  const auto cells = cellsInZones(rooms, zones, cellsOfZones);
-  for (std::size_t room = 0; room < rooms.all.size(); ++room) {
-    for (std::size_t zone = 0; zone < zones.size(); ++zone) {
-      const double inBoth = cells[room][zone];
-      const double inEither = cells[room].back() + cellsOfZones[zone] - inBoth;
-      if (inBoth > kIsThisZone * inEither) rooms.all[room].name = zones[zone].name;
+  const double cell_m2 = rooms.resolution_m * rooms.resolution_m;
+  for (const auto& zone : zones) {
+    const auto inBoth = cellsIn(zone, rooms);
+    const double inZone = std::accumulate(inBoth.begin(), inBoth.end(), 0.0);
+    for (std::size_t i = 0; i < rooms.all.size(); ++i) {
+      const double inEither = rooms.all[i].area_m2 / cell_m2 + inZone - inBoth[i];
+      if (inBoth[i] > kIsThisZone * inEither) rooms.all[i].name = zone.name;
     }
   }
 }
