@@ -116,10 +116,31 @@ TEST(RoomFinder, ATableInTheMiddleIsNoWall) {
   EXPECT_NEAR(rooms.at({2.5, 5.0})->area_m2, 30.0, 0.3);
 }
 
+TEST(RoomFinder, TheWidestDoorTellsPassagesFromDoors) {
+  auto plan = makeStorey();
+  fill(plan, 5.0, 4.0, 5.2, 5.9, kFree);  // 1.9 m between ward and store, in which there is room for 2.4 m around
+  EXPECT_EQ(findRooms(plan, {}, {}).all.size(), 2U);
+  RoomOptions wideDoors;
+  wideDoors.widestDoor_m = 2.1;
+  EXPECT_EQ(findRooms(plan, {}, {}, wideDoors).all.size(), 3U);
+}
+
+TEST(RoomFinder, ACorridorThatIsALittleNarrowerSomewhereIsOneRoom) {
+  auto plan = makeStorey();
+  fill(plan, 0.0, 1.5, 10.0, 2.0, kWall);  // leaves 1.5 m of the corridor and shuts both doors
+  fill(plan, 4.0, 1.2, 6.0, 1.5, kWall);   // 1.2 m: four fifths of it
+  EXPECT_EQ(findRooms(plan, {}, {}).all.size(), 3U);
+  fill(plan, 4.0, 0.9, 6.0, 1.2, kWall);  // 0.9 m: three fifths
+  EXPECT_EQ(findRooms(plan, {}, {}).all.size(), 4U);
+}
+
 TEST(RoomFinder, ACornerBehindACupboardIsNoRoom) {
   auto plan = makeStorey();
-  fill(plan, 0.0, 7.0, 1.6, 7.1, kWall);  // leaves 1.1 m × 1.6 m behind it: less than a room has
-  EXPECT_EQ(findRooms(plan, {}, {}).all.size(), 3U);
+  fill(plan, 0.0, 7.0, 1.6, 7.1, kWall);  // 1.6 m × 1.1 m behind it, less than a room has, …
+  fill(plan, 1.6, 7.0, 1.7, 7.8, kWall);  // … and a way in of 0.4 m
+  const auto rooms = findRooms(plan, {}, {});
+  EXPECT_EQ(rooms.all.size(), 3U);
+  EXPECT_EQ(rooms.at({0.8, 7.6}), rooms.at({2.5, 5.0}));
 }
 
 TEST(RoomFinder, RoomsAreCalledAfterTheZonesThatTheyAre) {
