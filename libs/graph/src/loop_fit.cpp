@@ -5,10 +5,23 @@
 namespace wardslam::graph {
 namespace {
 
-bool isNear(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const LoopConfirmationOptions& options) {
+constexpr double kStill = 0.2;  // of what is allowed: by less, adjusting a map that is right moves it
+
+bool exceeds(const Misfit& misfit, const LoopConfirmationOptions& options, double share = 1.0) {
+  return misfit.position_m >= share * options.max_misfit_m || misfit.rotation_rad >= share * options.max_misfit_rad;
+}
+
+Eigen::Isometry3d step(const KeyframeGraph& graph, KeyframeId from, KeyframeId to) {
+  return graph.keyframes().at(from).T_map_cam.inverse() * graph.keyframes().at(to).T_map_cam;
+}
+
+Misfit between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   const Eigen::Isometry3d difference = a.inverse() * b;
-  return difference.translation().norm() < options.max_misfit_m &&
-         Eigen::AngleAxisd(difference.linear()).angle() < options.max_misfit_rad;
+  return {difference.translation().norm(), Eigen::AngleAxisd(difference.linear()).angle()};
+}
+
+Misfit operator-(const Misfit& a, const Misfit& b) {
+  return {a.position_m - b.position_m, a.rotation_rad - b.rotation_rad};
 }
 
 }  // namespace
@@ -20,26 +33,31 @@ Steps tiedSteps(const KeyframeGraph& graph, std::uint32_t piece, int minSharedPo
     if (node.submap != piece || previous == graph.keyframes().end() || previous->second.submap != piece) continue;
     const auto isShared = [&](const auto& sighting) { return previous->second.keypointOf.count(sighting.first) != 0; };
     const auto shared = std::count_if(node.keypointOf.begin(), node.keypointOf.end(), isShared);
-    if (shared >= minSharedPoints) steps.emplace(id, previous->second.T_map_cam.inverse() * node.T_map_cam);
+    if (shared >= minSharedPoints) steps.emplace(id, step(graph, id - 1, id));
   }
   return steps;
 }
 
-bool fit(const KeyframeGraph& graph, const Steps& stepsBefore, const std::vector<Loop>& loops,
+std::vector<Misfit> misfitsOf(const KeyframeGraph& graph, const std::vector<Loop>& loops) {
+  std::vector<Misfit> misfits;
+  for (const Loop& loop : loops) {
+    const bool isOfOnePiece = graph.keyframes().at(loop.older).submap == graph.keyframes().at(loop.newer).submap;
+    misfits.push_back(isOfOnePiece ? between(loop.T_older_newer, step(graph, loop.older, loop.newer)) : Misfit{});
+  }
+  return misfits;
+}
+
+bool fit(const KeyframeGraph& graph, const Held& before, const std::vector<Loop>& loops,
          const LoopConfirmationOptions& options) {
-  const auto& keyframes = graph.keyframes();
-  const auto step = [&](KeyframeId from, KeyframeId to) -> Eigen::Isometry3d {
-    return keyframes.at(from).T_map_cam.inverse() * keyframes.at(to).T_map_cam;
-  };
-  const auto isBent = [&](const auto& before) {
-    return !isNear(before.second, step(before.first - 1, before.first), options);
-  };
-  const auto isMissed = [&](const Loop& loop) {
-    const bool isOfOnePiece = keyframes.at(loop.older).submap == keyframes.at(loop.newer).submap;
-    return isOfOnePiece && !isNear(loop.T_older_newer, step(loop.older, loop.newer), options);
-  };
-  return std::none_of(stepsBefore.begin(), stepsBefore.end(), isBent) &&
-         std::none_of(loops.begin(), loops.end(), isMissed);
+  for (const auto& [id, stepBefore] : before.steps) {
+    if (exceeds(between(stepBefore, step(graph, id - 1, id)), options)) return false;
+  }
+  const auto misfits = misfitsOf(graph, loops);
+  for (std::size_t i = 0; i < misfits.size(); ++i) {
+    const Misfit grown = i < before.misfits.size() ? misfits[i] - before.misfits[i] : misfits[i];
+    if (exceeds(misfits[i], options) && exceeds(grown, options, kStill)) return false;
+  }
+  return true;
 }
 
 }  // namespace wardslam::graph

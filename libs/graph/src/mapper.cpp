@@ -289,17 +289,18 @@ std::optional<odometry::MapUpdate> Mapper::closeWith(const std::vector<Loop>& lo
   graph_.beginTrial();
   const odometry::Pieces piecesBefore = pieces_;
   const std::size_t loopsBefore = loops_.size();
+  Held held{{}, misfitsOf(graph_, loops_)};
   loops_.insert(loops_.end(), loops.begin(), loops.end());
   odometry::MapUpdate closing;
   closing.joined = joinSubmaps(loops.front());
   const std::uint32_t piece = graph_.keyframes().at(loops.front().newer).submap;
   if (bent == Bent::All) graph_.unsettle(piece);
-  const Steps steps = tiedSteps(graph_, piece, options_.pose_graph.min_shared_points);
+  held.steps = tiedSteps(graph_, piece, options_.pose_graph.min_shared_points);
   optimisePoses(graph_, piece, loops_, options_.pose_graph);
   for (const Loop& loop : loops) fuse(loop, closing);
   const BundleAdjustmentOptions& adjustment = options_.bundle_adjustment;
   auto adjusted = adjust(graph_, globalWindow(graph_, piece), adjustment, adjustment.global_iterations, stop);
-  if (!fit(graph_, steps, loops_, options_.loop_confirmation)) {
+  if (!fit(graph_, held, loops_, options_.loop_confirmation)) {
     graph_.takeBack();
     pieces_ = piecesBefore;
     loops_.resize(loopsBefore);
