@@ -251,6 +251,32 @@ TEST_F(JoinConfirmationTest, WhereItWasGoingAFewLooksAreEnough) {
   EXPECT_THAT(confirmation_.confirm(lost, 17, {ahead(17)}), SizeIs(3));
 }
 
+/// As where it was going, with two places that look alike: seen first in two keyframes, then in three.
+class RivalJoinTest : public JoinConfirmationTest {
+ protected:
+  static Loop ahead(KeyframeId newer, double beside_m = 0.0) {
+    return {14, newer, makePose({static_cast<double>(newer) - 12.0, beside_m, 0}), 100, {}, {14}};
+  }
+  std::vector<Loop> seeAfter(const std::vector<Loop>& rival, KeyframeId last) {
+    for (const Loop& loop : rival) confirmation_.confirm(lost_, loop.newer, {loop});
+    std::vector<Loop> confirmed;
+    for (auto id = rival.back().newer + 1; id <= last; ++id) confirmed = confirmation_.confirm(lost_, id, {ahead(id)});
+    return confirmed;
+  }
+
+  const KeyframeGraph lost_ = lostFor(3.0);
+};
+
+TEST_F(RivalJoinTest, WhereItCanHardlyHaveBeenCarriedIsNone) {
+  EXPECT_THAT(seeAfter({strongLoop(8, 15), strongLoop(9, 16)}, 19), SizeIs(3));
+}
+
+TEST_F(RivalJoinTest, ButForOneOfWhichAsMuchIsSeen) {
+  EXPECT_THAT(seeAfter({strongLoop(8, 15), strongLoop(9, 16), strongLoop(10, 17)}, 20), IsEmpty());
+}
+
+TEST_F(RivalJoinTest, WhereItCanHaveGoneIs) { EXPECT_THAT(seeAfter({ahead(15, 1.0), ahead(16, 1.0)}, 19), IsEmpty()); }
+
 TEST_F(JoinConfirmationTest, InTheEndTakesTheBestThereWas) {
   see(15, {loop(1, 15)});
   see(16, {loop(2, 16)});

@@ -227,13 +227,19 @@ bool LoopConfirmation::isAllOver(const Loop& loop) const {
 bool LoopConfirmation::hasRival(const KeyframeGraph& graph, const Hypothesis& hypothesis) const {
   const auto isRival = [&](const Hypothesis& other) {
     return &other != &hypothesis && !other.empty() && 2 * other.size() >= hypothesis.size() &&
-           !areOfOnePlace(graph, other.back(), hypothesis.back());
+           !areOfOnePlace(graph, other.back(), hypothesis.back()) && !isBetter(graph, hypothesis, other);
   };
   const auto isRivalJoin = [&](const Hypothesis& other) {
     return isRival(other) && areOfSamePieces(graph, other.back(), hypothesis.back());
   };
   if (std::any_of(hypotheses_.begin(), hypotheses_.end(), isRival)) return true;
   return joins(graph, hypothesis.back()) && std::any_of(unsettled_.begin(), unsettled_.end(), isRivalJoin);
+}
+
+/// Where more speaks for one, and the camera can hardly have come to the other.
+bool LoopConfirmation::isBetter(const KeyframeGraph& graph, const Hypothesis& one, const Hypothesis& other) const {
+  return joins(graph, one.back()) && joins(graph, other.back()) && evidenceOf(one) > evidenceOf(other) &&
+         canBeDriven(graph, one.back(), verification_) && !canBeDriven(graph, other.back(), verification_);
 }
 
 }  // namespace wardslam::graph

@@ -46,6 +46,7 @@ class LoopConfirmation {
   [[nodiscard]] bool agree(const KeyframeGraph& graph, const Loop& a, const Loop& b) const;
   [[nodiscard]] bool isConfirmed(const KeyframeGraph& graph, const Hypothesis& hypothesis) const;
   [[nodiscard]] bool hasRival(const KeyframeGraph& graph, const Hypothesis& hypothesis) const;
+  [[nodiscard]] bool isBetter(const KeyframeGraph& graph, const Hypothesis& one, const Hypothesis& other) const;
   void forget(const KeyframeGraph& graph, KeyframeId newest);
   void keepUnsettled(const KeyframeGraph& graph, Hypothesis hypothesis);
 
