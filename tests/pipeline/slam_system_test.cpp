@@ -228,7 +228,6 @@ TEST_F(SlamSystemTest, LocalisesInAMapWithoutMovingIt) {
     for (int image = 0; image < 20; ++image) first.process(observe(room_, image));
     first.finish();
     const EarlierMap earlier{graph::save(first.mapper().graph()), first.semanticMap(), graph::Saved::IsHeld};
-
     options.deterministic = deterministic;
     options.mapping.enabled = false;
     SlamSystem second(options, earlier);
@@ -245,6 +244,8 @@ TEST_F(SlamSystemTest, LocalisesInAMapWithoutMovingIt) {
       ASSERT_NE(again, trajectory.end());
       EXPECT_LT((again->T_map_cam.translation() - T_map_cam.translation()).norm(), 0.003) << keyframe->id;
     }
+    const auto& points = second.mapper().graph().points();
+    for (const auto& [id, p_map_m] : earlier.graph.p_map_m) EXPECT_EQ(points.at(id).point.p_map_m, p_map_m) << id;
   }
 }
 
@@ -307,7 +308,6 @@ TEST_F(SlamSystemTest, AnUnusableObservationIsLeftOutAndItGoesOn) {
   RecordingObserver observer("observer");
   slam.addObserver(observer);
   slam.process(observe(room_, 0));
-
   const auto withoutDepth = observe(room_, 1);
   withoutDepth->hasRangeImage = false;
   EXPECT_THROW(slam.process(withoutDepth), core::FrameError);
