@@ -166,9 +166,9 @@ TEST_F(RunTrouble, AnOutputFolderThatVanishes) {
   constexpr std::size_t kListed = 100;
   const test::RoomRecording room(kImages, kListed);
   test::RunningProgram program("wardslam", argumentsOf(room.path(), {"--filter", "off", "--realtime"}));
-  for (int i = 0; i < 3000 && !fs::exists(out / "map.wardmap"); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  const fs::path live = out / "trajectory_live.txt.partial";
+  const auto isUnderWay = [&] { return fs::exists(live) && fs::file_size(live) > 2000; };
+  for (int i = 0; i < 3000 && !isUnderWay(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   fs::remove_all(out);
   const auto result = program.wait();
   EXPECT_EQ(result.exitCode, 1) << result.err;
