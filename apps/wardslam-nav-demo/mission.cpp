@@ -37,6 +37,16 @@ Eigen::Isometry2d startOf(const Order& order, const mapping::SemanticMap& map) {
   return Eigen::Translation2d(T_map_cam.translation().head<2>()) * Eigen::Rotation2Dd(std::atan2(ahead.y(), ahead.x()));
 }
 
+/// What the order forbids, and what the zones themselves do.
+std::vector<mapping::Zone> forbiddenBy(const Order& order, const mapping::SemanticMap& map) {
+  std::vector<mapping::Zone> zones = zonesNamed(order.forbidden, map);
+  for (mapping::Zone& zone : mapping::zonesOfType(map.zones, mapping::ZoneType::Forbidden)) {
+    const auto isIt = [&zone](const mapping::Zone& other) { return other.name == zone.name; };
+    if (std::none_of(zones.begin(), zones.end(), isIt)) zones.push_back(std::move(zone));
+  }
+  return zones;
+}
+
 std::string listOf(const std::vector<mapping::Zone>& zones) {
   std::string list;
   for (const auto& zone : zones) list += (list.empty() ? "'" : ", '") + zone.name + "'";
@@ -69,7 +79,7 @@ Mission planMission(const mapping::SemanticMap& map, const Order& order, const R
   mission.object = &query::objectNamed(map, order.target);
   mission.name = query::nameOf(*mission.object, map);
   mission.className = map.labels.name(mission.object->classId);
-  mission.forbidden = zonesNamed(order.forbidden, map);
+  mission.forbidden = forbiddenBy(order, map);
   mission.closedPlan = query::closeZones(map.floorPlan, mission.forbidden);
   mission.closedPlan.cells.setTo(mapping::FloorPlan::kOccupied,
                                  mission.closedPlan.cells == mapping::FloorPlan::kUnknown);

@@ -11,13 +11,16 @@
 #include <vector>
 
 #include "stored_map.h"
+#include "stored_rooms.h"
 #include "support/program.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/exchange/fleet_export.h"
 #include "wardslam/exchange/map_export.h"
 #include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/graph/pose_graph_file.h"
 #include "wardslam/mrpt_plugin/multi_metric_map.h"
 #include "wardslam/pipeline/earlier_map.h"
+#include "wardslam/query/routes_through.h"
 #include "wardslam/viewer/map_scene.h"
 
 namespace wardslam::apps {
@@ -31,6 +34,7 @@ struct Source {
   Path file;
   Path poses;  ///< A `.graph` with other poses of the keyframes; empty = the map's own.
   mrpt_plugin::MetricMapChoice choice;
+  double robotRadius_m;
   SemanticMap map;
 };
 
@@ -43,6 +47,35 @@ struct Format {
 template <void (*Write)(const SemanticMap& map, const Path& file)>
 void writeMap(const Source& source, const Path& file) {
   Write(source.map, file);
+}
+
+void writeGeoPackage(const Source& source, const Path& file) {
+  exchange::exportGeoPackage(source.map, roomsOf(source.map), file);
+}
+
+/// Programs for fleets call the map as its file is called.
+std::string nameOf(const Source& source) { return source.file.stem().string(); }
+
+void writeZoneSet(const Source& source, const Path& file) { exchange::exportZoneSet(source.map, nameOf(source), file); }
+
+building::RouteNetwork networkOf(const Source& source) {
+  query::DrivingRules rules;
+  rules.radius_m = source.robotRadius_m;
+  rules.forbidden = mapping::zonesOfType(source.map.zones, mapping::ZoneType::Forbidden);
+  const query::DrivableFloor floor(source.map.floorPlan, rules);
+  auto routes = query::routesThrough(roomsOf(source.map), floor, source.map.zones);
+  if (routes.network.lanes.empty())
+    throw core::InputError(source.file.string() + ": no ways between rooms are found for a robot of radius " +
+                           std::to_string(source.robotRadius_m) + " m; does the map have a floor plan with rooms?");
+  for (const std::string& place : routes.leftOut)
+    std::cerr << "wardslam: no way leads to " << place << ": no place for a robot of this radius (--robot-radius)\n";
+  return std::move(routes.network);
+}
+
+void writeNav2Route(const Source& source, const Path& file) { exchange::exportNav2Route(networkOf(source), file); }
+
+void writeRmfGraph(const Source& source, const Path& file) {
+  exchange::exportRmfGraph(networkOf(source), nameOf(source), file);
 }
 
 void writeOctomap(const Source& source, const Path& file) { exchange::exportOctomap(source.map, file); }
@@ -70,7 +103,7 @@ void writeTrajectory(const Source& source, const Path& file) {
   trajectory.finish();
 }
 
-constexpr std::array<Format, 13> kFormats = {{
+constexpr std::array<Format, 18> kFormats = {{
     {"--ply", "the cloud: colour, class and instance of every point", writeMap<exchange::exportPly>},
     {"--pcd", "the cloud, for PCL: rgb, label, instance", writeMap<exchange::exportPcd>},
     {"--octomap", "occupied and free space: F.bt, or with probabilities F.ot", writeOctomap},
@@ -83,9 +116,16 @@ constexpr std::array<Format, 13> kFormats = {{
     {"--trajectory", "the poses of the keyframes, as `wardslam eval` reads them", writeTrajectory},
     {"--ros-map", "the floor plan for ROS map_server: F.yaml, with F.pgm beside it", writeMap<exchange::exportRosMap>},
     {"--geojson", "zones and objects as polygons, metres", writeMap<exchange::exportGeoJson>},
-    {"--geopackage", "the same for GIS programs, which know then that it is metres: F.gpkg",
-     writeMap<exchange::exportGeoPackage>},
+    {"--geopackage", "also rooms and ways, for GIS programs, which know then that it is metres: F.gpkg",
+     writeGeoPackage},
     {"--csv", "the objects, one per line", writeMap<exchange::exportCsv>},
+    {"--zone-set", "what zones ask of robots, as VDA 5050 3.0 says it: F.json", writeZoneSet},
+    {"--nav2-keepout", "forbidden zones for Nav2's KeepoutFilter: F.yaml, with F.pgm beside it",
+     writeMap<exchange::exportKeepoutMask>},
+    {"--nav2-speed", "slow zones for Nav2's SpeedFilter: F.yaml, with F.pgm and F.filter_info.yaml beside it",
+     writeMap<exchange::exportSpeedMask>},
+    {"--nav2-route", "ways through rooms and doors for Nav2's route server: F.geojson", writeNav2Route},
+    {"--rmf-graph", "the same as navigation graph of Open-RMF: F.yaml", writeRmfGraph},
 }};
 
 /// What `--maps` may name.
@@ -101,6 +141,7 @@ struct ExportArguments {
   Path map;
   Path poses;
   std::vector<std::string> maps;
+  double robotRadius_m = query::DrivingRules().radius_m;
   std::array<Path, kFormats.size()> files;
 };
 
@@ -121,7 +162,7 @@ std::vector<std::string> namesOfMetricMaps() {
 
 void exportAll(const ExportArguments& arguments) {
   if (arguments.files == ExportArguments().files) throw UsageError("map export needs a format, such as --ply FILE");
-  const Source source{arguments.map, arguments.poses, choiceOf(arguments.maps),
+  const Source source{arguments.map, arguments.poses, choiceOf(arguments.maps), arguments.robotRadius_m,
                       readStoredMap(arguments.map, storage::CloudPart::Include)};
   for (std::size_t i = 0; i < kFormats.size(); ++i) {
     if (arguments.files.at(i).empty()) continue;
@@ -144,6 +185,10 @@ void addMapExportCommand(CLI::App& mapCommand) {
   command->add_option("--maps", arguments->maps, "for --metric-maps: which of them; by default all but the last")
       ->delimiter(',')
       ->check(CLI::IsMember(namesOfMetricMaps()));
+  command->add_option("--robot-radius", arguments->robotRadius_m, "for ways: of the robot, margin included")
+      ->type_name("M")
+      ->check(CLI::Range(0.05, 5.0))
+      ->capture_default_str();
   command->callback([arguments] { exportAll(*arguments); });
 }
 

@@ -126,16 +126,41 @@ Json toJson(const query::MapDifference& difference, const core::LabelSpace& labe
           {"unchanged", difference.unchanged}};
 }
 
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / M_PI;
+
+/// What a zone of its type asks, by the keys of zones files.
+void addRule(Json& json, const mapping::Zone& zone) {
+  if (zone.type == mapping::ZoneType::Slow) json["max_speed_mps"] = zone.maxSpeed_mps;
+  if (zone.type == mapping::ZoneType::OneWay) json["direction_deg"] = kDegreesPerRadian * zone.direction_rad;
+  if (zone.type != mapping::ZoneType::Action) return;
+  json["on_entry"] = zone.actions.entry;
+  json["inside"] = zone.actions.inside;
+  json["on_exit"] = zone.actions.exit;
+}
+
+std::string ruleText(const mapping::Zone& zone) {
+  std::string text = mapping::toString(zone.type);
+  if (zone.type == mapping::ZoneType::Slow) text += ", " + fixed(zone.maxSpeed_mps, 2) + " m/s";
+  if (zone.type == mapping::ZoneType::OneWay) text += ", " + fixed(kDegreesPerRadian * zone.direction_rad, 0) + " deg";
+  return text;
+}
+
+}  // namespace
+
 Json zonesJson(const mapping::SemanticMap& map, const query::MapQuery& query) {
   Json list = Json::array();
   for (const auto& zone : map.zones) {
     Json polygon = Json::array();
     for (const auto& corner : zone.polygon_m) polygon.push_back({corner.x(), corner.y()});
     list.push_back({{"name", zone.name},
+                    {"type", mapping::toString(zone.type)},
                     {"area_m2", area_m2(zone)},
                     {"objects", objectsIn(query, zone.name)},
                     {"keyframes", keyframesIn(map, zone.name)},
                     {"polygon", polygon}});
+    addRule(list.back(), zone);
   }
   return {{"zones", list}};
 }
@@ -206,9 +231,9 @@ void print(std::ostream& out, const query::MapDifference& difference, const core
 }
 
 void printZones(std::ostream& out, const mapping::SemanticMap& map, const query::MapQuery& query) {
-  Table table({"zone", "area [m2]", "objects", "keyframes"});
+  Table table({"zone", "type", "area [m2]", "objects", "keyframes"});
   for (const auto& zone : map.zones) {
-    table.add({zone.name, fixed(area_m2(zone), 1), std::to_string(objectsIn(query, zone.name)),
+    table.add({zone.name, ruleText(zone), fixed(area_m2(zone), 1), std::to_string(objectsIn(query, zone.name)),
                std::to_string(keyframesIn(map, zone.name))});
   }
   table.print(out);

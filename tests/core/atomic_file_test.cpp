@@ -120,6 +120,16 @@ TEST_F(AtomicFileTest, AFileThatWasCommittedSurvivesAPowerCut) {
   EXPECT_THAT(syncedInodes(), testing::ElementsAre(inodeOf(file_), inodeOf(folder_.path()))) << "in this order";
 }
 
+TEST_F(AtomicFileTest, DevicesAndPipesAreNotReplaced) {
+  ASSERT_EQ(::mkfifo(file_.c_str(), 0600), 0);
+  const auto isTold = testing::ThrowsMessage<InputError>(testing::HasSubstr("out.txt: is a device or a pipe"));
+  EXPECT_THAT([&] { writeFileAtomically(file_, "text"); }, isTold);
+  EXPECT_THAT([&] { replaceAtomically(file_, [](const fs::path& partial) { std::ofstream(partial) << "text"; }); },
+              isTold);
+  EXPECT_TRUE(fs::is_fifo(file_));
+  EXPECT_FALSE(fs::exists(partial_));
+}
+
 TEST_F(AtomicFileTest, TargetThatCannotBeReplacedIsTold) {
   fs::create_directories(file_ / "occupied");
   EXPECT_THAT([&] { writeFileAtomically(file_, "text"); },

@@ -16,7 +16,7 @@ namespace {
 class ExportGeoPackageTest : public testing::Test {
  protected:
   [[nodiscard]] SQLite::Database exported() const {
-    exportGeoPackage(ward_, file_);
+    exportGeoPackage(ward_, rooms_, file_);
     return SQLite::Database(file_.string());
   }
 
@@ -41,6 +41,7 @@ class ExportGeoPackageTest : public testing::Test {
   }
 
   mapping::SemanticMap ward_ = test::makeWard();
+  building::Rooms rooms_ = {{{1, "ward", 32.0, {3, 2}, {{-1, -1}, {7, -1}, {7, 3}, {-1, 3}}}}, {}, {}};
   test::TemporaryFolder folder_;
   std::filesystem::path file_ = folder_.path() / "ward.gpkg";
 };
@@ -66,11 +67,13 @@ TEST_F(ExportGeoPackageTest, LayersAreMetresInAnUndefinedCartesianSystem) {
   EXPECT_EQ(rows(database,
                  "SELECT table_name, data_type, srs_id, min_x, min_y, max_x, max_y FROM gpkg_contents "
                  "ORDER BY table_name"),
-            "objects|features|-1|-0.25|-0.25|6.25|4.0\nzones|features|-1|-1.0|-1.0|7.0|5.0\n");
+            "objects|features|-1|-0.25|-0.25|6.25|4.0\nrooms|features|-1|-1.0|-1.0|7.0|3.0\n"
+            "ways|features|-1|0.5|1.0|1.5|1.0\nzones|features|-1|-1.0|-1.0|7.0|5.0\n");
   EXPECT_EQ(rows(database,
                  "SELECT table_name, column_name, geometry_type_name, srs_id, z, m FROM gpkg_geometry_columns "
                  "ORDER BY table_name"),
-            "objects|geom|POLYGON|-1|0|0\nzones|geom|POLYGON|-1|0|0\n");
+            "objects|geom|POLYGON|-1|0|0\nrooms|geom|POLYGON|-1|0|0\nways|geom|LINESTRING|-1|0|0\n"
+            "zones|geom|POLYGON|-1|0|0\n");
 }
 
 TEST_F(ExportGeoPackageTest, GeometriesHaveTheHeaderOfTheStandardAndAClosedRing) {
@@ -96,22 +99,52 @@ TEST_F(ExportGeoPackageTest, HasWhatStandsThereWithItsAttributes) {
             "60|bed|0.75|0.0|0.8|5|ward|static\n");
 }
 
+TEST_F(ExportGeoPackageTest, ZonesSayWhatTheyAskOfRobots) {
+  ward_.zones[0].type = mapping::ZoneType::Slow;
+  ward_.zones[0].maxSpeed_mps = 0.5;
+  auto database = exported();
+  EXPECT_EQ(rows(database, "SELECT name, type, max_speed_mps, direction_rad IS NULL FROM zones"),
+            "ward|slow|0.5|1\nclean zone|place||1\n");
+}
+
+TEST_F(ExportGeoPackageTest, HasRooms) {
+  auto database = exported();
+  EXPECT_EQ(rows(database, "SELECT fid, name, area_m2 FROM rooms"), "1|ward|32.0\n");
+}
+
+/// 30 s without a keyframe are a gap; a single place is no way.
+TEST_F(ExportGeoPackageTest, HasTheWaysThatWereDriven) {
+  ward_.keyframes.clear();
+  for (const double at_s : {100.0, 101.0, 102.0, 132.0}) {
+    auto& keyframe = ward_.keyframes[ward_.keyframes.size() + 1];
+    keyframe.stamp_s = at_s;
+    keyframe.T_map_cam.translation() = Eigen::Vector3d(at_s - 100.0, 1.0, 1.0);
+    keyframe.piece = ward_.piece;
+  }
+  auto database = exported();
+  EXPECT_EQ(rows(database, "SELECT fid, first_s, last_s FROM ways"), "1|100.0|102.0\n");
+  const std::string blob = database.execAndGet("SELECT geom FROM ways").getString();
+  EXPECT_EQ(blob.substr(40, 9), std::string("\1\2\0\0\0\3\0\0\0", 9)) << "a line of 3 points";
+  EXPECT_EQ(doublesAt(blob, 49, 6), (std::vector<double>{0, 1, 1, 1, 2, 1}));
+}
+
 TEST_F(ExportGeoPackageTest, AMapWithoutAnythingHasLayersWithoutExtent) {
   ward_ = {};
+  rooms_ = {};
   auto database = exported();
-  EXPECT_EQ(rows(database, "SELECT count(*), count(min_x) FROM gpkg_contents"), "2|0\n");
+  EXPECT_EQ(rows(database, "SELECT count(*), count(min_x) FROM gpkg_contents"), "4|0\n");
 }
 
 TEST_F(ExportGeoPackageTest, TheSameMapMakesTheSameBytesAlsoOverAnOlderFile) {
-  exportGeoPackage(ward_, file_);
+  exportGeoPackage(ward_, rooms_, file_);
   const std::string first = test::readText(file_);
   folder_.write("ward.gpkg.partial", "left behind");
-  exportGeoPackage(ward_, file_);
+  exportGeoPackage(ward_, rooms_, file_);
   EXPECT_EQ(test::readText(file_), first);
 }
 
 TEST_F(ExportGeoPackageTest, WhatCannotBeWrittenIsAnInputError) {
-  EXPECT_THROW(exportGeoPackage(ward_, folder_.path() / "missing" / "ward.gpkg"), core::InputError);
+  EXPECT_THROW(exportGeoPackage(ward_, rooms_, folder_.path() / "missing" / "ward.gpkg"), core::InputError);
 }
 
 }  // namespace

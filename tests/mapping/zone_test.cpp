@@ -29,5 +29,22 @@ TEST(Zone, DistanceIsThatToItsBorderAndNothingWithin) {
   EXPECT_GT(distance_m({}, {0, 0}), 1e9);
 }
 
+TEST(ZoneType, IsNamedAsInFiles) {
+  EXPECT_EQ(toString(ZoneType::OneWay), "one_way");
+  for (const auto type :
+       {ZoneType::Place, ZoneType::Forbidden, ZoneType::Slow, ZoneType::OneWay, ZoneType::Action, ZoneType::Release}) {
+    EXPECT_EQ(zoneTypeFrom(toString(type)), type);
+  }
+  EXPECT_FALSE(zoneTypeFrom("Slow"));
+}
+
+TEST(ZoneType, SelectsZonesInTheirOrder) {
+  const std::vector<Zone> zones{{"a", {}, ZoneType::Slow}, {"b", {}}, {"c", {}, ZoneType::Slow}};
+  const auto slow = zonesOfType(zones, ZoneType::Slow);
+  ASSERT_EQ(slow.size(), 2U);
+  EXPECT_EQ(slow[0].name, "a");
+  EXPECT_EQ(slow[1].name, "c");
+}
+
 }  // namespace
 }  // namespace wardslam::mapping

@@ -92,5 +92,51 @@ TEST_F(ZonesFileTest, ErrorsNameFileLineAndZone) {
   EXPECT_THROW(static_cast<void>(Zones::fromFile(folder_.path() / "absent.yaml")), core::InputError);
 }
 
+/// Zones of a file with this as its only zone, a square.
+class ZoneRules : public testing::Test {
+ protected:
+  Zone read(const std::string& rules) {
+    folder_.write("zones.yaml", "zones:\n  - {name: z, polygon: [[0, 0], [1, 0], [1, 1], [0, 1]]" + rules + "}\n");
+    return Zones::fromFile(folder_.path() / "zones.yaml").all().front();
+  }
+  void expectRefused(const std::string& rules, const std::string& reason) {
+    EXPECT_THAT([&] { static_cast<void>(read(rules)); }, ThrowsMessage<core::InputError>(HasSubstr(reason))) << rules;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ZoneRules, AreReadByType) {
+  EXPECT_EQ(read("").type, ZoneType::Place);
+  EXPECT_EQ(read(", type: forbidden").type, ZoneType::Forbidden);
+  EXPECT_EQ(read(", type: release").type, ZoneType::Release);
+  const Zone slow = read(", type: slow, max_speed_mps: 0.3");
+  EXPECT_EQ(slow.type, ZoneType::Slow);
+  EXPECT_EQ(slow.maxSpeed_mps, 0.3);
+  const Zone oneWay = read(", type: one_way, direction_deg: 90");
+  EXPECT_EQ(oneWay.type, ZoneType::OneWay);
+  EXPECT_NEAR(oneWay.direction_rad, 1.5707963, 1e-7);
+  const Zone action = read(", type: action, on_entry: [ringBell, dimLights], on_exit: [brightenLights]");
+  EXPECT_EQ(action.actions.entry, (std::vector<std::string>{"ringBell", "dimLights"}));
+  EXPECT_TRUE(action.actions.inside.empty());
+  EXPECT_EQ(action.actions.exit, std::vector<std::string>{"brightenLights"});
+}
+
+TEST_F(ZoneRules, WithoutWhatBelongsToThemAreRefused) {
+  expectRefused(", type: quiet", "'quiet'");
+  expectRefused(", type: slow", "needs max_speed_mps");
+  expectRefused(", type: slow, max_speed_mps: 0", "more than 0 m/s");
+  expectRefused(", type: slow, max_speed_mps: .nan", "more than 0 m/s");
+  expectRefused(", type: slow, max_speed_mps: 11", "at most 10");
+  expectRefused(", type: one_way", "needs direction_deg");
+  expectRefused(", type: one_way, direction_deg: .inf", "no angle");
+  expectRefused(", type: action", "asks for no action");
+}
+
+TEST_F(ZoneRules, ThatWouldBeLeftOutAreRefused) {
+  expectRefused(", type: forbidden, max_speed_mps: 0.3", "max_speed_mps");
+  expectRefused(", max_speed_mps: 0.3", "max_speed_mps");
+}
+
 }  // namespace
 }  // namespace wardslam::mapping

@@ -71,6 +71,27 @@ TEST_F(MergedZonesTest, OfTwoOfOneNameTheLaterStaysAndItIsSaid) {
   EXPECT_THAT(merged.notes, ElementsAre(HasSubstr("zone 'ward' is elsewhere in a.wardmap than in b.wardmap")));
 }
 
+TEST_F(MergedZonesTest, ADirectionTurnsWithItsMap) {
+  join();
+  zonesOf(1) = {square("b", 2, 0)};
+  zonesOf(1)[0].type = mapping::ZoneType::OneWay;
+  zonesOf(1)[0].direction_rad = 0.5;
+  const auto merged = mergeZones(runs_, joined_);
+  ASSERT_EQ(merged.zones.size(), 1U);
+  EXPECT_NEAR(merged.zones[0].direction_rad, 0.5 + M_PI / 2.0, 1e-9);
+}
+
+TEST_F(MergedZonesTest, OfTwoThatAskForSomethingElseTheLaterStaysAndItIsSaid) {
+  join();
+  zonesOf(0) = {square("ward", 9, 0)};
+  zonesOf(1) = {square("ward", 0.02, 0)};
+  zonesOf(1)[0].type = mapping::ZoneType::Forbidden;
+  const auto merged = mergeZones(runs_, joined_);
+  ASSERT_EQ(merged.zones.size(), 1U);
+  EXPECT_EQ(merged.zones[0].type, mapping::ZoneType::Forbidden);
+  EXPECT_THAT(merged.notes, ElementsAre(HasSubstr("zone 'ward' asks for something else in a.wardmap")));
+}
+
 TEST_F(MergedZonesTest, ZonesOfAMapThatNothingConnectsAreLeftOutAndItIsSaid) {
   zonesOf(1) = {square("ward", 0, 0)};
   const auto merged = mergeZones(runs_, joined_);

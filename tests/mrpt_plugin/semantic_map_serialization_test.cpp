@@ -52,6 +52,36 @@ TEST_F(SemanticMapSerialization, GivesAllBack) {
   EXPECT_EQ(back->map().cloud.at(2).points.at(7).p_cam_m, map.map().cloud.at(2).points.at(7).p_cam_m);
 }
 
+TEST_F(SemanticMapSerialization, GivesBackWhatZonesAskOfRobots) {
+  mapping::SemanticMap ward = test::makeWard();
+  ward.zones[0].type = mapping::ZoneType::OneWay;
+  ward.zones[0].direction_rad = -0.75;
+  ward.zones[1].type = mapping::ZoneType::Action;
+  ward.zones[1].actions = {{"ring", "dim"}, {}, {"hush"}};
+  const auto back = decodeSemanticMap(encode(ward));
+  EXPECT_EQ(back.zones[0].type, mapping::ZoneType::OneWay);
+  EXPECT_EQ(back.zones[0].direction_rad, -0.75);
+  EXPECT_EQ(back.zones[1].actions.entry, ward.zones[1].actions.entry);
+  EXPECT_TRUE(back.zones[1].actions.inside.empty());
+  EXPECT_EQ(back.zones[1].actions.exit, ward.zones[1].actions.exit);
+}
+
+/// A zone's rule is 1 + 8 + 8 + 3 x 4 bytes, which the first layout did not have.
+TEST_F(SemanticMapSerialization, ReadsTheLayoutInWhichZonesWereNames) {
+  mapping::SemanticMap ward = test::makeWard();
+  ward.zones.resize(1);
+  core::Bytes bytes = encode(ward);
+  const std::size_t plan = 3 * sizeof(double) + 2 * sizeof(std::uint32_t) + ward.floorPlan.cells.total();
+  const auto end = bytes.end() - static_cast<std::ptrdiff_t>(plan);
+  bytes.erase(end - (1 + 8 + 8 + 3 * 4), end);
+  bytes[0] = 1;
+  const auto back = decodeSemanticMap(bytes);
+  ASSERT_EQ(back.zones.size(), 1U);
+  EXPECT_EQ(back.zones[0].polygon_m, ward.zones[0].polygon_m);
+  EXPECT_EQ(back.zones[0].type, mapping::ZoneType::Place);
+  EXPECT_EQ(back.floorPlan.resolution_m, ward.floorPlan.resolution_m);
+}
+
 TEST_F(SemanticMapSerialization, RefusesWhatIsCutOffOrNewer) {
   const std::string whole = written(map);
   for (std::size_t size = 30; size < whole.size(); size += 97) {

@@ -130,7 +130,7 @@ bool mayBeNegative(const std::string& column) {
       "x_m",          "y_m",        "z_m",      "qx",       "qy",       "qz",       "qw",           "cx_px",
       "cy_px",        "k1",         "k2",       "p1",       "p2",       "k3",       "centroid_x_m", "centroid_y_m",
       "centroid_z_m", "box_x_m",    "box_y_m",  "box_z_m",  "box_qx",   "box_qy",   "box_qz",       "box_qw",
-      "origin_x_m",   "origin_y_m", "height_m", "last_x_m", "last_y_m", "last_z_m", "value"};
+      "origin_x_m",   "origin_y_m", "height_m", "last_x_m", "last_y_m", "last_z_m", "value",        "direction_rad"};
   return some.count(column) > 0;
 }
 
@@ -145,6 +145,8 @@ class EveryColumnTest : public WholeWardCheckTest {
 
   void SetUp() override {
     ward_.nextObjectId = 8;
+    ward_.zones[1].type = mapping::ZoneType::Action;
+    ward_.zones[1].actions = {{"ring"}, {}, {"hush"}};
     ward_.objects[7].maybeSameAs = mapping::MaybeSame{6, 0.25};
     MapFile file = writeWard();
     MapChanges changes;
@@ -216,10 +218,11 @@ TEST_F(EveryColumnTest, HasARowToFalsify) {
 }
 
 TEST_F(EveryColumnTest, IsNamedWhenFalsified) {
-  // Texts that may be anything: the configuration of the run is told and not read, a class may be called anything, and
-  // a fact of another name is none that is known.
+  // Texts that may be anything: the configuration of the run is told and not read, classes and actions may be called
+  // anything, and a fact of another name is none that is known.
   const auto mayBeAnything = [](const Column& column, const std::string& value) {
     if (column.table == "properties") return column.name == "name" || value == "'abc'";
+    if (column.table == "zone_actions") return column.name == "action" && value != "x'00'";
     return column.table == "labels" && (column.name == "name" || value == "'abc'");
   };
   std::size_t tried = 0;
@@ -259,6 +262,7 @@ TEST_F(EveryColumnTest, NamesNothingThatIsNotThere) {
                                                                        {"object_hints", "maybe_same_as"},
                                                                        {"object_votes", "object"},
                                                                        {"zone_corners", "zone"},
+                                                                       {"zone_actions", "zone"},
                                                                        {"objects", "id"},
                                                                        {"object_boxes", "id"},
                                                                        {"keyframes", "id"},

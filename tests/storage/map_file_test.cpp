@@ -177,7 +177,7 @@ TEST_F(MapFileTest, LoopsThatAreWrittenAgainStayToTheLastBit) {
 TEST_F(MapFileTest, TellsHowMuchItHolds) {
   writeWard();
   const auto info = MapFile::open(path_).info();
-  EXPECT_EQ(info.schemaVersion, 4);
+  EXPECT_EQ(info.schemaVersion, 5);
   EXPECT_EQ(info.pieces, 1U);
   EXPECT_EQ(info.keyframesElsewhere, 0U);
   EXPECT_EQ(info.size_bytes, fs::file_size(path_));

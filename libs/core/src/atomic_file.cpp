@@ -22,6 +22,15 @@ std::filesystem::path folderOf(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+/// Renaming puts a file in the place of whatever is there.
+void requireReplaceable(const std::filesystem::path& file) {
+  std::error_code none;
+  const auto type = std::filesystem::status(file, none).type();
+  using Type = std::filesystem::file_type;
+  if (type == Type::character || type == Type::block || type == Type::fifo || type == Type::socket)
+    throw InputError(file.string() + ": is a device or a pipe, and would be replaced by a file; name a file");
+}
+
 }  // namespace
 
 /// What is on its way into a file. A standard file buffer forgets what the disk did not take.
@@ -85,7 +94,7 @@ class AtomicFile::Buffer : public std::streambuf {
 AtomicFile::AtomicFile(std::filesystem::path file)
     : file_(std::move(file)),
       partial_(partialOf(file_)),
-      buffer_(std::make_unique<Buffer>(partial_)),
+      buffer_((requireReplaceable(file_), std::make_unique<Buffer>(partial_))),
       stream_(buffer_.get()) {
   if (!buffer_->isOpen()) {
     throw InputError(partial_.string() + ": cannot be created; is the folder there and writable?");
@@ -107,6 +116,7 @@ void AtomicFile::commit() {
 
 void replaceAtomically(const std::filesystem::path& file,
                        const std::function<void(const std::filesystem::path& partial)>& write) {
+  requireReplaceable(file);
   write(partialOf(file));
   syncToDisk(partialOf(file));
   replaceFile(partialOf(file), file);

@@ -13,6 +13,9 @@
 namespace wardslam::mapping {
 namespace {
 
+constexpr double kFastest_mps = 10.0;
+constexpr double kMostTurned_rad = 4.0 * M_PI;
+
 /// > 0 when a, b, c turn to the left.
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   const Eigen::Vector2d ab = b - a;
@@ -34,6 +37,17 @@ bool crossesItself(const std::vector<Eigen::Vector2d>& polygon) {
   return false;
 }
 
+/// What is wrong with what it asks of robots; empty when nothing is.
+std::string whyUnusableRule(const Zone& zone) {
+  if (zone.type == ZoneType::Slow && !(zone.maxSpeed_mps > 0.0 && zone.maxSpeed_mps <= kFastest_mps))
+    return "is slow, and needs a speed of more than 0 m/s (max_speed_mps), at most 10";
+  if (zone.type == ZoneType::OneWay && !(std::abs(zone.direction_rad) <= kMostTurned_rad))
+    return "has a direction that is no angle";
+  if (zone.type == ZoneType::Action && zone.actions.areNone())
+    return "asks for no action; it needs names in on_entry, inside or on_exit";
+  return {};
+}
+
 /// What is wrong with the zone; empty when nothing is.
 std::string whyUnusable(const Zone& zone) {
   if (zone.polygon_m.size() < 3) return "needs at least 3 corners";
@@ -42,21 +56,57 @@ std::string whyUnusable(const Zone& zone) {
   }
   if (crossesItself(zone.polygon_m)) return "has sides that cross; list its corners in order around it";
   if (area_m2(zone) <= 0.0) return "has no area";
-  return {};
+  return whyUnusableRule(zone);
+}
+
+/// Each type's own keys, which no other may have: what somebody meant by them would be left out.
+void requireKeysOf(ZoneType type, const core::ConfigNode& node) {
+  std::vector<std::string> keys{"name", "polygon", "type"};
+  if (type == ZoneType::Slow) keys.insert(keys.end(), {"max_speed_mps"});
+  if (type == ZoneType::OneWay) keys.insert(keys.end(), {"direction_deg"});
+  if (type == ZoneType::Action) keys.insert(keys.end(), {"on_entry", "inside", "on_exit"});
+  node.requireKeys(keys);
+}
+
+ZoneType typeOf(const core::ConfigNode& node) {
+  if (!node.child("type").exists()) return ZoneType::Place;
+  const auto name = node.child("type").yaml().as<std::string>("");
+  const auto type = zoneTypeFrom(name);
+  if (!type) node.child("type").fail("is none of place, forbidden, slow, one_way, action, release: '" + name + "'");
+  return *type;
+}
+
+void parseRule(const core::ConfigNode& node, Zone& zone) {
+  constexpr double kRadiansPerDegree = M_PI / 180.0;
+  const auto isMissing = [&node](const char* key) { return !node.child(key).exists(); };
+  const auto actions = [&node](const char* key) {
+    return node.child(key).yaml().as<std::vector<std::string>>(std::vector<std::string>());
+  };
+  zone.type = typeOf(node);
+  requireKeysOf(zone.type, node);
+  if (zone.type == ZoneType::Slow) {
+    if (isMissing("max_speed_mps")) node.fail("a slow zone needs max_speed_mps");
+    zone.maxSpeed_mps = node.child("max_speed_mps").yaml().as<double>();
+  }
+  if (zone.type == ZoneType::OneWay) {
+    if (isMissing("direction_deg")) node.fail("a one-way zone needs direction_deg, of the way to go (0: along x)");
+    zone.direction_rad = kRadiansPerDegree * node.child("direction_deg").yaml().as<double>();
+  }
+  if (zone.type == ZoneType::Action) zone.actions = {actions("on_entry"), actions("inside"), actions("on_exit")};
 }
 
 Zone parseZone(const core::ConfigNode& node) {
-  node.requireKeys({"name", "polygon"});
   Zone zone;
   try {
     zone.name = node.child("name").yaml().as<std::string>("");
+    parseRule(node, zone);
     const YAML::Node corners = node.child("polygon").yaml();
     for (const auto& corner : corners) {
       if (corner.size() != 2) node.fail("a corner of a polygon is a pair [x, y] in metres");
       zone.polygon_m.emplace_back(corner[0].as<double>(), corner[1].as<double>());
     }
   } catch (const YAML::Exception&) {
-    node.fail("a zone has a name and a polygon [[x, y], ...] in metres");
+    node.fail("a zone has a name and a polygon [[x, y], ...] in metres; docs/map.md has what else it may have");
   }
   return zone;
 }

@@ -1,8 +1,10 @@
 #include "merged_zones.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
 
 namespace wardslam::merging {
 namespace {
@@ -11,11 +13,13 @@ using mapping::Zone;
 
 constexpr double kSamePlace = 0.9;  // of what two zones cover together, that is of both
 constexpr int kCellsAcross = 400;   // to measure that by
+constexpr double kSameDirection_rad = 0.05;
 
 Zone moved(Zone zone, const Eigen::Isometry3d& motion) {
   if (motion.matrix().isIdentity(0.0)) return zone;
   for (Eigen::Vector2d& corner_m : zone.polygon_m)
     corner_m = (motion * Eigen::Vector3d(corner_m.x(), corner_m.y(), 0.0)).head<2>();
+  if (zone.type == mapping::ZoneType::OneWay) zone.direction_rad += std::atan2(motion(1, 0), motion(0, 0));
   return zone;
 }
 
@@ -40,6 +44,14 @@ bool coverTheSame(const Zone& a, const Zone& b) {
   return cv::countNonZero(first & second) >= kSamePlace * cv::countNonZero(first | second);
 }
 
+bool askTheSame(const Zone& a, const Zone& b) {
+  const auto all = [](const Zone& zone) {
+    return std::tie(zone.actions.entry, zone.actions.inside, zone.actions.exit);
+  };
+  return a.type == b.type && a.maxSpeed_mps == b.maxSpeed_mps && all(a) == all(b) &&
+         std::abs(std::remainder(a.direction_rad - b.direction_rad, 2.0 * M_PI)) < kSameDirection_rad;
+}
+
 }  // namespace
 
 MergedZones mergeZones(const std::vector<Run>& runs, const JoinedRuns& joined) {
@@ -61,9 +73,10 @@ MergedZones mergeZones(const std::vector<Run>& runs, const JoinedRuns& joined) {
       }
       Zone& known = *std::find_if(merged.zones.begin(), merged.zones.end(),
                                   [&](const Zone& other) { return other.name == zone.name; });
-      if (coverTheSame(known, zone)) continue;
-      merged.notes.push_back("zone '" + zone.name + "' is elsewhere in " + before->second->name + " than in " +
-                             run.name + ": that of the later map stays");
+      const bool isThere = coverTheSame(known, zone);
+      if (isThere && askTheSame(known, zone)) continue;
+      merged.notes.push_back("zone '" + zone.name + (isThere ? "' asks for something else in " : "' is elsewhere in ") +
+                             before->second->name + " than in " + run.name + ": that of the later map stays");
       known = std::move(zone);
       before->second = &run;
     }

@@ -16,7 +16,8 @@ using mapping::MapObject;
 using mapping::SemanticMap;
 using mapping::SemanticPoint;
 
-constexpr std::uint8_t kLayoutVersion = 1;
+constexpr std::uint8_t kLayoutVersion = 2;
+constexpr std::uint8_t kBeforeZonesHadTypes = 1;
 constexpr std::size_t kPoint_bytes = 22;
 constexpr std::uint32_t kMostSide_cells = 100'000;
 constexpr double kFarthest_m = 1e8;
@@ -182,13 +183,35 @@ void put(ByteWriter& out, const mapping::Zone& zone) {
   putText(out, zone.name);
   out.put(static_cast<std::uint32_t>(zone.polygon_m.size()));
   for (const Eigen::Vector2d& corner_m : zone.polygon_m) putVector(out, corner_m);
+  out.put(static_cast<std::uint8_t>(zone.type));
+  out.put(zone.maxSpeed_mps);
+  out.put(zone.direction_rad);
+  for (const auto* names : {&zone.actions.entry, &zone.actions.inside, &zone.actions.exit}) {
+    out.put(static_cast<std::uint32_t>(names->size()));
+    for (const std::string& name : *names) putText(out, name);
+  }
 }
 
-[[nodiscard]] mapping::Zone getZone(ByteReader& in) {
+void getRule(ByteReader& in, mapping::Zone& zone) {
+  const auto type = in.get<std::uint8_t>();
+  if (type > static_cast<std::uint8_t>(mapping::ZoneType::Release)) throw BlobError("a zone is of no known type");
+  zone.type = static_cast<mapping::ZoneType>(type);
+  zone.maxSpeed_mps = in.get<double>();
+  zone.direction_rad = in.get<double>();
+  if (!std::isfinite(zone.maxSpeed_mps) || !std::isfinite(zone.direction_rad))
+    throw BlobError("a zone has a speed or direction that is no number");
+  for (auto* names : {&zone.actions.entry, &zone.actions.inside, &zone.actions.exit}) {
+    names->resize(in.getCountOfAtLeast(sizeof(std::uint32_t)));
+    for (std::string& name : *names) name = getText(in);
+  }
+}
+
+[[nodiscard]] mapping::Zone getZone(ByteReader& in, std::uint8_t version) {
   mapping::Zone zone;
   zone.name = getText(in);
   zone.polygon_m.resize(in.getCountOfAtLeast(2 * sizeof(double)));
   for (Eigen::Vector2d& corner_m : zone.polygon_m) corner_m = getVector<Eigen::Vector2d>(in);
+  if (version > kBeforeZonesHadTypes) getRule(in, zone);
   return zone;
 }
 
@@ -270,7 +293,8 @@ core::Bytes encode(const SemanticMap& map) {
 
 SemanticMap decodeSemanticMap(const core::Bytes& bytes) {
   ByteReader in(bytes);
-  if (in.get<std::uint8_t>() != kLayoutVersion) throw BlobError("its layout is unknown");
+  const auto version = in.get<std::uint8_t>();
+  if (version < kBeforeZonesHadTypes || version > kLayoutVersion) throw BlobError("its layout is unknown");
   SemanticMap map;
   map.labels = getLabels(in);
   map.piece = in.get<std::uint32_t>();
@@ -280,7 +304,7 @@ SemanticMap decodeSemanticMap(const core::Bytes& bytes) {
   getAll(in, map.objects, [&in] { return getObject(in); });
   for (auto& [id, object] : map.objects) object.id = id;
   map.zones.resize(in.getCountOfAtLeast(2 * sizeof(std::uint32_t)));
-  for (mapping::Zone& zone : map.zones) zone = getZone(in);
+  for (mapping::Zone& zone : map.zones) zone = getZone(in, version);
   map.floorPlan = getFloorPlan(in);
   if (in.left() > 0) throw BlobError("there is more than there should be");
   return map;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "floor_ways.h"
+#include "wardslam/query/drivable_floor.h"
 
 namespace wardslam::query {
 namespace {
@@ -87,7 +88,9 @@ struct MapQuery::Index {
   Arrivals arrivals;
 };
 
-MapQuery::Index::Index(const mapping::SemanticMap& map) : floorPlan(map.floorPlan), ways(map.floorPlan) {
+MapQuery::Index::Index(const mapping::SemanticMap& map)
+    : floorPlan(map.floorPlan),
+      ways(closeZones(map.floorPlan, mapping::zonesOfType(map.zones, mapping::ZoneType::Forbidden))) {
   for (const auto& [id, keyframe] : map.keyframes) newestStamp_s = std::max(newestStamp_s, keyframe.stamp_s);
   findZones(map);
   findFree();

@@ -10,6 +10,7 @@
 #include "blob_codecs.h"
 #include "map_rows.h"
 #include "wardslam/core/camera_limits.h"
+#include "zone_rows.h"
 
 namespace wardslam::storage {
 namespace {
@@ -149,27 +150,6 @@ void readHints(SQLite::Database& database, mapping::SemanticMap& map) {
                if (found == map.objects.end()) throw core::BlobError("that object is missing");
                found->second.maybeSameAs = hint;
              });
-}
-
-void readZones(SQLite::Database& database, mapping::SemanticMap& map) {
-  std::map<std::uint32_t, mapping::Zone> zones;
-  forEachRow(database, "zone", "SELECT id, name FROM zones ORDER BY id", [&zones](ColumnReader row) {
-    std::uint32_t id = 0;
-    std::string name;
-    row >> id >> name;
-    if (name.empty()) throw core::BlobError("it has no name");
-    zones[id].name = name;
-  });
-  forEachRow(database, "zone", "SELECT zone, x_m, y_m FROM zone_corners ORDER BY zone, position",
-             [&zones](ColumnReader row) {
-               std::uint32_t id = 0;
-               Eigen::Vector2d corner_m;
-               row >> id >> corner_m;
-               const auto zone = zones.find(id);
-               if (zone == zones.end()) throw core::BlobError("it has corners and is not there");
-               zone->second.polygon_m.push_back(corner_m);
-             });
-  for (auto& [id, zone] : zones) map.zones.push_back(std::move(zone));
 }
 
 void requirePossibleCells(const cv::Mat& cells) {
@@ -369,7 +349,7 @@ mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud, PieceP
   readObjects(database, map);
   readHints(database, map);
   map.nextObjectId = nextObjectId(database);
-  readZones(database, map);
+  map.zones = readZones(database);
   readFloorPlan(database, map);
   if (pieces == PiecePart::TheMap) keepOnlyTheMap(map);
   return map;

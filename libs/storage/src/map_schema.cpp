@@ -106,8 +106,19 @@ constexpr const char* kVersion4 = R"sql(
 CREATE TABLE depth_views (keyframe INTEGER PRIMARY KEY REFERENCES views, cells BLOB NOT NULL);
 )sql";
 
+/// What zones ask of robots. Older ones were names of places.
+constexpr const char* kVersion5 = R"sql(
+ALTER TABLE zones ADD COLUMN type TEXT NOT NULL DEFAULT 'place'
+  CHECK (type IN ('place', 'forbidden', 'slow', 'one_way', 'action', 'release'));
+ALTER TABLE zones ADD COLUMN max_speed_mps REAL NOT NULL DEFAULT 0;
+ALTER TABLE zones ADD COLUMN direction_rad REAL NOT NULL DEFAULT 0;
+CREATE TABLE zone_actions (
+  zone INTEGER NOT NULL REFERENCES zones, moment TEXT NOT NULL CHECK (moment IN ('entry', 'inside', 'exit')),
+  position INTEGER NOT NULL, action TEXT NOT NULL, PRIMARY KEY (zone, moment, position)) WITHOUT ROWID;
+)sql";
+
 /// The step at [i] leads from version i to i + 1.
-constexpr std::array<const char*, 4> kSteps = {kVersion1, kVersion2, kVersion3, kVersion4};
+constexpr std::array<const char*, 5> kSteps = {kVersion1, kVersion2, kVersion3, kVersion4, kVersion5};
 
 }  // namespace
 

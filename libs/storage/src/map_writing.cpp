@@ -9,6 +9,7 @@
 #include "lasting_features.h"
 #include "map_reading.h"
 #include "map_rows.h"
+#include "zone_rows.h"
 
 namespace wardslam::storage {
 namespace {
@@ -338,18 +339,6 @@ void writeLabels(SQLite::Database& database, const core::LabelSpace& labels) {
     if (name.empty()) continue;
     (ParameterBinder(makeWay) << id << name).run();
     (ParameterBinder(label) << id << name).run();
-  }
-}
-
-void writeZones(SQLite::Database& database, const std::vector<mapping::Zone>& zones) {
-  database.exec("DELETE FROM zone_corners; DELETE FROM zones");
-  SQLite::Statement zoneRow(database, "INSERT INTO zones VALUES (?,?)");
-  SQLite::Statement cornerRow(database, "INSERT INTO zone_corners VALUES (?,?, ?,?)");
-  std::uint32_t id = 0;
-  for (const auto& zone : zones) {
-    (ParameterBinder(zoneRow) << ++id << zone.name).run();
-    std::uint32_t position = 0;
-    for (const auto& corner : zone.polygon_m) (ParameterBinder(cornerRow) << id << position++ << corner).run();
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "wardslam/building/rooms.h"
 #include "wardslam/mapping/semantic_map.h"
 
 /// The map in formats that other programs read; docs/map.md says what each holds. Everything is in the map frame,
@@ -31,9 +32,9 @@ void exportSimpleMap(const mapping::SemanticMap& map, const std::filesystem::pat
 /// which GeoJSON cannot say.
 void exportGeoJson(const mapping::SemanticMap& map, const std::filesystem::path& file);
 
-/// The same as OGC GeoPackage 1.3: layers `zones` and `objects` in an undefined Cartesian reference system (srs_id -1),
-/// metres. The same map makes the same bytes.
-void exportGeoPackage(const mapping::SemanticMap& map, const std::filesystem::path& file);
+/// The same and more as OGC GeoPackage 1.3: layers `zones`, `rooms`, `objects` and `ways` (those driven) in an
+/// undefined Cartesian reference system (srs_id -1), metres. The same map makes the same bytes.
+void exportGeoPackage(const mapping::SemanticMap& map, const building::Rooms& rooms, const std::filesystem::path& file);
 
 /// All objects, those that are gone included, one per line.
 void exportCsv(const mapping::SemanticMap& map, const std::filesystem::path& file);

@@ -15,11 +15,11 @@ class Zones {
   Zones() = default;
 
   /// Throws core::InputError, naming the zone, for a name given twice or left out, fewer than 3 corners, a corner that
-  /// is no number, or sides that cross.
+  /// is no number, sides that cross, or a type without what belongs to it (a slow zone's speed, an action).
   explicit Zones(std::vector<Zone> zones);
 
-  /// A YAML file `zones: [{name: clean, polygon: [[x, y], ...]}, ...]`, map frame, m. Throws core::InputError naming
-  /// file, line and key.
+  /// A YAML file `zones: [{name: clean, polygon: [[x, y], ...], type: slow, max_speed_mps: 0.3}, ...]`, map frame, m;
+  /// docs/map.md has the types. Throws core::InputError naming file, line and key.
   [[nodiscard]] static Zones fromFile(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<Zone>& all() const { return zones_; }
