@@ -63,7 +63,7 @@ TEST(GraphDrawing, IsWellFormed) {
   const std::string svg = drawingOf(kWard);
   EXPECT_THAT(svg, testing::StartsWith("<svg xmlns="));
   EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
-  EXPECT_THAT(svg, HasSubstr("labels: cup, mug &amp; &lt;glass>"));
+  EXPECT_THAT(svg, HasSubstr("labels: cup, mug &amp; &lt;glass&gt;"));
   EXPECT_EQ(count(svg, "<text "), count(svg, "</text>"));
   EXPECT_EQ(count(svg, "<g>"), count(svg, "</g>"));
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "wardslam/core/markup.h"
 #include "wardslam/knowledge/knowledge_graph.h"
 
 namespace wardslam::viewer {
@@ -29,25 +30,9 @@ constexpr double kLetter = 6.1;  ///< Width of a letter of a tag.
 constexpr std::array<const char*, 8> kColours = {"#c2410c", "#1d4ed8", "#047857", "#a21caf",
                                                  "#b45309", "#0e7490", "#be123c", "#4d7c0f"};
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 std::string spoken(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
-  return escaped(name);
+  return core::escapedForMarkup(name);
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -138,10 +123,10 @@ class Drawing {
   double placeEntity(const std::string& name, double x, double y, double width) {
     const double height = titleHeight(name, kPillHeight);
     boxes_of_[name] = {x, y, width, height, height, false};
-    boxes_ << "<g><title>labels: " << escaped(joined(graph_.labels(name))) << "</title><rect x=\"" << x << "\" y=\""
-           << y << "\" width=\"" << width << "\" height=\"" << height << R"(" rx="12" fill=")" << fillOf(name)
-           << R"(" stroke="#475569"/><text x=")" << x + 12 << "\" y=\"" << y + height / 2 + 4.5 << "\">" << spoken(name)
-           << "</text></g>\n";
+    boxes_ << "<g><title>labels: " << core::escapedForMarkup(joined(graph_.labels(name))) << "</title><rect x=\"" << x
+           << "\" y=\"" << y << "\" width=\"" << width << "\" height=\"" << height << R"(" rx="12" fill=")"
+           << fillOf(name) << R"(" stroke="#475569"/><text x=")" << x + 12 << "\" y=\"" << y + height / 2 + 4.5 << "\">"
+           << spoken(name) << "</text></g>\n";
     return y + height;
   }
 
@@ -197,7 +182,8 @@ class Drawing {
            << " stroke-width=\"" << (movesIt ? 0.8 + 3.2 * fact.bond.strength : 1.0) << "\""
            << (movesIt ? "" : " stroke-dasharray=\"5 4\"") << "/>\n";
     tags_ << R"(<text text-anchor="end" font-size="11" paint-order="stroke" stroke="white" stroke-width="3" x=")"
-          << tagX - 4 << "\" y=\"" << y + 4 << "\" fill=\"" << colour << "\">" << escaped(text) << "</text>\n";
+          << tagX - 4 << "\" y=\"" << y + 4 << "\" fill=\"" << colour << "\">" << core::escapedForMarkup(text)
+          << "</text>\n";
   }
 
   [[nodiscard]] static std::string tagText(const knowledge::Fact& fact) {
