@@ -54,6 +54,45 @@ TEST(PlanPicture, PaintsObjectsInTheColourOfTheirClass) {
   EXPECT_EQ(colorAt(drawPlan(map), 2.3, 1.7), cv::Vec3b(255, 255, 255)) << "only its outline stays";
 }
 
+TEST(PlanPicture, NamesThingsByClassNumberAndState) {
+  MapObject thing;
+  thing.id = 7;
+  thing.classId = 60;
+  EXPECT_EQ(tagOf(thing, core::LabelSpace::coco()), "bed #7");
+  thing.state = mapping::ObjectState::Moved;
+  EXPECT_EQ(tagOf(thing, core::LabelSpace::coco()), "bed #7 (moved)");
+  thing.classId = 200;
+  thing.state = mapping::ObjectState::Gone;
+  EXPECT_EQ(tagOf(thing, core::LabelSpace::coco()), "class 200 #7 (gone)");
+}
+
+TEST(PlanPicture, OutlinesAreTurnedAsBoxesAre) {
+  mapping::OrientedBox box;
+  box.size_m = Eigen::Vector3d(2, 1, 5);
+  box.T_map_box = Eigen::Translation3d(10, 20, 1) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
+  const auto corners = footprint(box);
+  ASSERT_EQ(corners.size(), 4U);
+  EXPECT_TRUE(corners[0].isApprox(Eigen::Vector2d(10.5, 19)));  // (-1, -0.5) turned left is (0.5, -1)
+  EXPECT_TRUE(corners[2].isApprox(Eigen::Vector2d(9.5, 21)));
+}
+
+TEST(PlanPicture, NamesNoZoneThatIsOutsideOfIt) {
+  auto map = room();
+  const cv::Mat without = drawPlan(map);
+  map.zones.push_back({"elsewhere", {{100, 100}, {110, 100}, {110, 110}}});
+  EXPECT_EQ(cv::norm(drawPlan(map), without), 0.0);
+}
+
+TEST(PlanPicture, TheGroundHasNeitherThingsNorZones) {
+  auto map = room();
+  const cv::Mat bare = drawGround(map);
+  EXPECT_EQ(colorAt(bare, 2, 2), cv::Vec3b(255, 255, 255));
+  EXPECT_LT(colorAt(bare, 5.05, 2)[0], 150);
+  addObject(map, mapping::ObjectState::Static);
+  map.zones.push_back({"ward", {{0, 0}, {4, 0}, {4, 4}}});
+  EXPECT_EQ(cv::norm(drawGround(map), bare), 0.0);
+}
+
 TEST(PlanPicture, ShowsPointsFromAboveHighestFirst) {
   auto map = room();
   map.keyframes[1].T_map_cam.translation() = Eigen::Vector3d(1, 1, 1);

@@ -9,6 +9,7 @@
 
 #include "drawing.h"
 #include "wardslam/mapping/cloud_in_map.h"
+#include "wardslam/viewer/label_layout.h"
 #include "wardslam/viewer/plan_raster.h"
 
 namespace wardslam::viewer {
@@ -27,29 +28,24 @@ constexpr double kZoneOpacity = 0.14;
 constexpr double kObjectOpacity = 0.30;
 constexpr float kCeiling_m = 2.2F;  // what hangs higher would cover what stands below
 
-/// Corners of the box's outline on the floor, in order.
-std::vector<Eigen::Vector2d> footprint(const mapping::OrientedBox& box) {
-  const Eigen::Vector3d half = box.size_m / 2.0;
-  std::vector<Eigen::Vector2d> corners;
-  for (const auto& [x, y] : {std::array{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
-    corners.emplace_back((box.T_map_box * Eigen::Vector3d(x * half.x(), y * half.y(), 0.0)).head<2>());
-  }
-  return corners;
-}
-
 class PlanPainter {
  public:
   explicit PlanPainter(const mapping::SemanticMap& map)
       : map_(map), raster_(map), picture_(raster_.size(), CV_8UC3, kUnknownFloor) {}
 
   [[nodiscard]] cv::Mat paint() {
-    paintFloor();
-    paintCloud();
+    paintGround();
     for (const auto& zone : map_.zones) paintZone(zone);
     paintWay();
     for (const auto& [id, object] : map_.objects) paintObject(object);
-    for (const auto& [id, object] : map_.objects) nameObject(object);
+    nameObjects();
     paintScaleBar();
+    return picture_;
+  }
+
+  cv::Mat paintGround() {
+    paintFloor();
+    paintCloud();
     return picture_;
   }
 
@@ -59,7 +55,7 @@ class PlanPainter {
   void paintZone(const mapping::Zone& zone);
   void paintWay();
   void paintObject(const MapObject& object);
-  void nameObject(const MapObject& object);
+  void nameObjects();
   void paintScaleBar();
   [[nodiscard]] std::vector<cv::Point> outline(const std::vector<Eigen::Vector2d>& corners_m) const;
 
@@ -111,7 +107,7 @@ void PlanPainter::paintZone(const mapping::Zone& zone) {
   blend(picture_, color, kZoneOpacity, mask);
   cv::polylines(picture_, std::vector{corners}, true, color, 2, cv::LINE_AA);
   const cv::Rect inside = cv::boundingRect(corners) & cv::Rect({0, 0}, picture_.size());
-  writeTag(picture_, zone.name, inside.tl() + cv::Point(4, 4), color * 0.6);
+  if (!inside.empty()) writeTag(picture_, zone.name, inside.tl() + cv::Point(4, 4), color * 0.6);
 }
 
 void PlanPainter::paintWay() {
@@ -135,17 +131,18 @@ void PlanPainter::paintObject(const MapObject& object) {
   cv::polylines(picture_, std::vector{corners}, true, color * 0.7, 2, cv::LINE_AA);
 }
 
-void PlanPainter::nameObject(const MapObject& object) {
-  const std::string& name = map_.labels.name(object.classId);
-  std::string text =
-      (name.empty() ? "class " + std::to_string(object.classId) : name) + " #" + std::to_string(object.id);
-  if (object.state == ObjectState::Gone) text += " (gone)";
-  if (object.state == ObjectState::Moved) text += " (moved)";
-  const cv::Scalar color(object.color_rgb[2], object.color_rgb[1], object.color_rgb[0]);
-  int baseline = 0;
-  const cv::Size ink = cv::getTextSize(text, kFont, kTextScale, 1, &baseline);
-  const cv::Point centre = raster_.at(object.orientedBox.T_map_box.translation().head<2>());
-  writeTag(picture_, text, centre - cv::Point(ink.width / 2 + kPadding_px, ink.height / 2 + kPadding_px), color * 0.45);
+void PlanPainter::nameObjects() {
+  std::vector<cv::Rect> wanted;
+  for (const auto& [id, object] : map_.objects) {
+    const cv::Size size = tagSize(tagOf(object, map_.labels));
+    wanted.emplace_back(raster_.at(object.orientedBox.T_map_box.translation().head<2>()) - cv::Point(size / 2), size);
+  }
+  const auto places = movedApart(wanted, picture_.size());
+  auto place = places.begin();
+  for (const auto& [id, object] : map_.objects) {
+    const cv::Scalar color(object.color_rgb[2], object.color_rgb[1], object.color_rgb[0]);
+    writeTag(picture_, tagOf(object, map_.labels), (place++)->tl(), color * 0.45);
+  }
 }
 
 void PlanPainter::paintScaleBar() {
@@ -159,5 +156,23 @@ void PlanPainter::paintScaleBar() {
 }  // namespace
 
 cv::Mat drawPlan(const mapping::SemanticMap& map) { return PlanPainter(map).paint(); }
+
+cv::Mat drawGround(const mapping::SemanticMap& map) { return PlanPainter(map).paintGround(); }
+
+std::vector<Eigen::Vector2d> footprint(const mapping::OrientedBox& box) {
+  const Eigen::Vector3d half = box.size_m / 2.0;
+  std::vector<Eigen::Vector2d> corners;
+  for (const auto& [x, y] : {std::array{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+    corners.emplace_back((box.T_map_box * Eigen::Vector3d(x * half.x(), y * half.y(), 0.0)).head<2>());
+  }
+  return corners;
+}
+
+std::string tagOf(const mapping::MapObject& object, const core::LabelSpace& labels) {
+  const std::string& name = labels.name(object.classId);
+  const std::string text =
+      (name.empty() ? "class " + std::to_string(object.classId) : name) + " #" + std::to_string(object.id);
+  return object.state == ObjectState::Static ? text : text + " (" + toString(object.state) + ")";
+}
 
 }  // namespace wardslam::viewer
