@@ -30,6 +30,17 @@ core::Trajectory moved(const Eigen::Isometry3d& T, core::Trajectory trajectory) 
 const Eigen::Isometry3d kSomewhere =
     Eigen::Translation3d(3, -7, 11) * Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, -3).normalized());
 
+TEST(AbsoluteTrajectoryError, TellsHowFarEachPositionIsOff) {
+  const auto groundTruth = through({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
+  auto estimate = through({{0, 0.1, 0}, {1, -0.1, 0}, {2, -0.1, 0}, {3, 0.1, 0}}, 0.01);
+  const auto error = absoluteTrajectoryError(groundTruth, estimate);
+  ASSERT_EQ(error.errors.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_DOUBLE_EQ(error.errors[i].stamp_s, static_cast<double>(i) + 0.01);
+    EXPECT_NEAR(error.errors[i].distance_m, 0.1, 1e-12) << "no turn and no shift makes it less";
+  }
+}
+
 TEST(AbsoluteTrajectoryError, IsZeroForTheSamePathInAnotherFrame) {
   const auto groundTruth = through({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, 2, 3}, {-1, 1, 1}});
   const auto error = absoluteTrajectoryError(groundTruth, moved(kSomewhere.inverse(), groundTruth));

@@ -44,6 +44,9 @@ AbsoluteTrajectoryError absoluteTrajectoryError(const core::Trajectory& groundTr
   const Eigen::VectorXd distances_m =
       (error.T_groundtruth_estimate * estimatedPositions - truePositions).colwise().norm();
   error.translation_m = summarise({distances_m.begin(), distances_m.end()});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    error.errors.push_back({estimate[pairs[i].estimate].stamp_s, distances_m(static_cast<Eigen::Index>(i))});
+  }
   return error;
 }
 

@@ -1,14 +1,22 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "wardslam/core/trajectory.h"
 #include "wardslam/evaluation/error_statistics.h"
 
 namespace wardslam::evaluation {
 
+/// How far a position was from the true one.
+struct ErrorAt {
+  double stamp_s = 0.0;  ///< Of the estimate.
+  double distance_m = 0.0;
+};
+
 struct AbsoluteTrajectoryError {
   ErrorStatistics translation_m;  ///< Distance of each aligned position from the true one.
+  std::vector<ErrorAt> errors;    ///< Each of these, in order of time.
   /// The alignment: p_groundtruth = T_groundtruth_estimate * p_estimate.
   Eigen::Isometry3d T_groundtruth_estimate = Eigen::Isometry3d::Identity();
 };
