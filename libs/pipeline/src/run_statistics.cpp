@@ -1,7 +1,8 @@
 #include "wardslam/pipeline/run_statistics.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "dynamic_keypoints.h"
 
 namespace wardslam::pipeline {
 namespace {
@@ -35,8 +36,7 @@ void RunStatistics::onFrame(const core::Frame& frame, const odometry::OdometryRe
 
   const auto& keypoints = frame.features.keypoints;
   keypoints_ += keypoints.size();
-  dynamicKeypoints_ += static_cast<std::size_t>(std::count_if(
-      keypoints.begin(), keypoints.end(), [](const auto& k) { return k.motion == core::Motion::Dynamic; }));
+  dynamicKeypoints_ += countDynamic(keypoints);
   core::accumulate(events_, frame.events);
   if (frame.segmentation.empty()) return;
   ++framesByMaskAge_frames_[frame.segmentationAge_frames];
