@@ -16,8 +16,8 @@
 #include "map_rooms_command.h"
 #include "map_view_command.h"
 #include "stored_map.h"
-#include "stored_rooms.h"
 #include "support/table.h"
+#include "wardslam/building/rooms_of_map.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
 #include "wardslam/query/map_difference.h"
@@ -106,9 +106,9 @@ void info(const MapArguments& arguments) {
 }
 
 void keepThoseIn(const std::string& room, const mapping::SemanticMap& map, Objects& objects) {
-  const auto rooms = roomsOf(map);
+  const auto rooms = building::roomsOf(map);
   const auto& name = rooms.named(room).name;
-  const auto isElsewhere = [&](const auto* object) { return roomAt(rooms, object->centroid_m) != name; };
+  const auto isElsewhere = [&](const auto* object) { return building::roomAt(rooms, object->centroid_m) != name; };
   objects.erase(std::remove_if(objects.begin(), objects.end(), isElsewhere), objects.end());
 }
 

@@ -11,8 +11,8 @@
 
 #include "picture_file.h"
 #include "stored_map.h"
-#include "stored_rooms.h"
 #include "support/table.h"
+#include "wardslam/building/rooms_of_map.h"
 #include "wardslam/viewer/rooms_picture.h"
 
 namespace wardslam::apps {
@@ -37,10 +37,10 @@ Contents contentsOf(const mapping::SemanticMap& map, const building::Rooms& room
   Contents contents;
   for (const auto& [id, object] : map.objects) {
     if (object.piece != map.piece || object.state == mapping::ObjectState::Gone) continue;
-    ++contents.things[roomAt(rooms, object.centroid_m)];
+    ++contents.things[building::roomAt(rooms, object.centroid_m)];
   }
   for (const auto& [id, keyframe] : map.keyframes) {
-    if (keyframe.piece == map.piece) ++contents.keyframes[roomAt(rooms, keyframe.T_map_cam.translation())];
+    if (keyframe.piece == map.piece) ++contents.keyframes[building::roomAt(rooms, keyframe.T_map_cam.translation())];
   }
   return contents;
 }
@@ -95,7 +95,7 @@ void print(std::ostream& out, const building::Rooms& rooms, Contents& contents) 
 
 void listRooms(const RoomsArguments& arguments) {
   const auto map = readStoredMap(arguments.file, storage::CloudPart::LeaveOut);
-  const auto rooms = roomsOf(map, arguments.options);
+  const auto rooms = building::roomsOf(map, arguments.options);
   if (!arguments.picture.empty()) writePng(arguments.picture, viewer::drawRooms(rooms));
   auto contents = contentsOf(map, rooms);
   if (arguments.json) {

@@ -5,15 +5,15 @@
 #include "wardslam/building/room_finder.h"
 #include "wardslam/mapping/semantic_map.h"
 
-namespace wardslam::apps {
+namespace wardslam::building {
 
 /// A thing at a wall stands in the room before it, and a camera over a bed is in the room of the bed.
 constexpr double kRoomReach_m = 0.5;
 
 /// The rooms of the map's floor plan, named after its zones. What is gone from the map is no wall either.
-[[nodiscard]] building::Rooms roomsOf(const mapping::SemanticMap& map, const building::RoomOptions& options = {});
+[[nodiscard]] Rooms roomsOf(const mapping::SemanticMap& map, const RoomOptions& options = {});
 
 /// The name of the room around a place; empty where there is none.
-[[nodiscard]] std::string roomAt(const building::Rooms& rooms, const Eigen::Vector3d& p_map_m);
+[[nodiscard]] std::string roomAt(const Rooms& rooms, const Eigen::Vector3d& p_map_m);
 
-}  // namespace wardslam::apps
+}  // namespace wardslam::building
