@@ -14,7 +14,8 @@ struct PictureOptions {
   bool keepsPeople = false;  ///< Else they are blanked, and all of an image in which nobody looked for people.
 };
 
-/// Writes every n-th frame, annotated, as <folder>/<stamp>.jpg.
+/// Writes every n-th frame, annotated, as <folder>/<stamp>.jpg. What an earlier run left there goes with the first one:
+/// it may show people where this run does not.
 class PictureWriter : public pipeline::FrameObserver {
  public:
   /// Makes the folder with the first picture.
@@ -31,6 +32,7 @@ class PictureWriter : public pipeline::FrameObserver {
   PictureOptions options_;
   core::LabelSpace labels_;
   double stampOrigin_s_ = 0.0;
+  bool hasFolder_ = false;
 };
 
 }  // namespace wardslam::apps
