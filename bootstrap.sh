@@ -19,6 +19,7 @@ readonly PACKAGES=(
   libcurl4-openssl-dev libssl-dev # wardslam models
   libembree-dev # rawlog-synth casts rays
   libegl1 libegl-mesa0 libgl1-mesa-dri # pictures of a map without a display
+  libjs-dygraphs # plots of wardslam report
   libopenni2-dev # the virtual camera of the tests
   mrpt-apps # rawlog-edit and rawlog-grabber, which the tests run
   dpkg-dev file # the Debian package

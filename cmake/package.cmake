@@ -18,7 +18,8 @@ of the TUM RGB-D benchmark, recordings of ROS, and live cameras; its filters are
 MRPT's programs too. Contains programs, libraries, headers and configuration.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libgl1-mesa-dri)  # pictures of a map without a display
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
+  "libgl1-mesa-dri, libjs-dygraphs")  # pictures of a map without a display; plots of a report
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
   "mrpt-apps, libmrpt-dev, libopencv-dev, libceres-dev, libeigen3-dev, libyaml-cpp-dev, cmake")  # to build on it
 include(CPack)
