@@ -8,6 +8,7 @@
 #include "knowledge_command.h"
 #include "map_command.h"
 #include "models_command.h"
+#include "report_command.h"
 #include "run_command.h"
 #include "support/command_line.h"
 #include "support/program.h"
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "wardslam " WARDSLAM_VERSION);
     app.require_subcommand(1);
     addRunCommand(app);
+    addReportCommand(app);
     addSweepCommand(app);
     addEvalCommand(app);
     addEvalObjectsCommand(app);

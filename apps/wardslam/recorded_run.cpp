@@ -14,6 +14,7 @@
 
 #include "dynamic_truth.h"
 #include "picture_writer.h"
+#include "report_command.h"
 #include "run_folder.h"
 #include "still_camera.h"
 #include "support/playback_clock.h"
@@ -231,6 +232,8 @@ pipeline::SlamOptions withRateOfMasks(pipeline::SlamOptions options, double rate
   return options;
 }
 
+PictureOptions pictureOptions(const RecordedRun& run) { return {run.pictureInterval, run.keepPeople}; }
+
 /// One run, from the opened input to the written folder. Whatever goes wrong while it is tracked, what went well until
 /// then is written first.
 class Execution {
@@ -249,6 +252,7 @@ class Execution {
     finishMap();
     isInterrupted_ = interruption_.requested();
     writeFolder();
+    writePage();
     if (live_) std::cerr << "wardslam: " << live_->closingLine(statistics_.frames()) << "\n";
     tellOfSensors(source().sensors(), run_.input);
     failure_.rethrow();
@@ -325,9 +329,20 @@ class Execution {
   void writeFolder() {
     failure_.attempt([this] {
       folder_.finish({statistics_, zones_, source().damage(), slam_, mapFile_ ? mapFile_->failedWrites() : 0,
-                      truth_.get(), live_ ? &*live_ : nullptr, isInterrupted_, run_.options.deterministic,
-                      source().sensors()});
+                      truth_.get(), live_ ? &*live_ : nullptr, pictureOptions(run_), isInterrupted_,
+                      run_.options.deterministic, source().sensors()});
     });
+  }
+
+  void writePage() {
+    if (!run_.report) return;
+    ReportRequest request;
+    request.folder = run_.out;
+    request.map = run_.map;
+    request.keepPeople = run_.keepPeople;
+    const auto truth = run_.input / "groundtruth.txt";  // of a TUM folder
+    if (!run_.isPrivate && std::filesystem::exists(truth)) request.groundTruth = truth;
+    failure_.attempt([&] { writeReport(request); });
   }
 
   void tellWhatIsNotInTheMap() const {
@@ -363,7 +378,7 @@ class Execution {
   RunFolder folder_;
   pipeline::RunStatistics statistics_;
   StillCamera stillCamera_{tellAtOnce};
-  PictureWriter pictures_{run_.out / "pictures", {run_.pictureInterval, run_.keepPeople}, slam_.labelSpace()};
+  PictureWriter pictures_{run_.out / "pictures", pictureOptions(run_), slam_.labelSpace()};
   pipeline::ZoneWatch zones_{slam_.zones()};
   std::optional<viewer::LiveWindow> window_;
   core::FirstFailure failure_;

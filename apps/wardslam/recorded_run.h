@@ -29,6 +29,7 @@ struct RecordedRun {
   bool view = false;                   ///< Shows the run in a window.
   std::size_t pictureInterval = 0;     ///< Every so many frames a picture; 0: none.
   bool keepPeople = false;             ///< In pictures; else they are blanked.
+  bool report = false;                 ///< Writes report.html, too.
   bool isPrivate = false;              ///< Stamps in all files are seconds since the first image; no folders' names.
   std::string progressUnit = "frame";
 };

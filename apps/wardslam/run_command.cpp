@@ -21,6 +21,7 @@ struct RunArguments {
   bool view = false;
   std::size_t pictureInterval = 0;
   bool keepPeople = false;
+  bool report = false;
   bool isPrivate = false;
 };
 
@@ -70,6 +71,7 @@ void run(const RunArguments& arguments) {
   run.view = arguments.view;
   run.pictureInterval = arguments.pictureInterval;
   run.keepPeople = arguments.keepPeople;
+  run.report = arguments.report;
   run.isPrivate = arguments.isPrivate;
   perform(run, InterruptionGuard());
 }
@@ -108,6 +110,9 @@ void addRunCommand(CLI::App& app) {
       ->default_str("10")
       ->check(CLI::PositiveNumber);
   command->add_flag("--keep-people", arguments->keepPeople, "leave people in the pictures; else they are blanked");
+  command->add_flag(
+      "--report", arguments->report,
+      "at the end write DIR/report.html: all of it on one page for a browser; the truth of a TUM folder beside it");
   command->add_flag(
       "--private", arguments->isPrivate,
       "stamps in all files are seconds since the first image, and no file names a folder of this computer");

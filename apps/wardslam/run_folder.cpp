@@ -2,8 +2,11 @@
 
 #include <sys/resource.h>
 
+#include <mrpt/system/os.h>
 #include <cmath>
+
 #include <nlohmann/json.hpp>
+#include <opencv2/core/utility.hpp>
 #include <system_error>
 #include <vector>
 
@@ -116,6 +119,15 @@ core::EventCounts damageOf(const RunSummary& summary) {
   return damage;
 }
 
+nlohmann::ordered_json versionsJson() {
+  return {
+      {"wardslam", WARDSLAM_VERSION}, {"MRPT", mrpt::system::MRPT_getVersion()}, {"OpenCV", cv::getVersionString()}};
+}
+
+nlohmann::ordered_json picturesJson(const PictureOptions& pictures) {
+  return {{"interval", pictures.interval}, {"people_kept", pictures.keepsPeople}};
+}
+
 nlohmann::ordered_json floorJson(const mapping::FloorSeen& floor) {
   return {
       {"keyframes", floor.keyframes}, {"seen", floor.seen}, {"tilt_deg", rounded(floor.tilt_rad * 180.0 / M_PI, 2)}};
@@ -138,12 +150,14 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
   json["dynamic_keypoint_fraction"] = statistics.dynamicKeypointFraction();
   if (summary.truth != nullptr) json["dynamic"] = toJson(*summary.truth);
   if (summary.live != nullptr) json["live"] = toJson(*summary.live, statistics.frames());
+  if (summary.pictures.interval > 0) json["pictures"] = picturesJson(summary.pictures);
   json["mask_age"] = maskAgeJson(statistics.maskAge());
   if (!summary.slam.zones().all().empty()) json["zones"] = zonesJson(summary.zones.stays());
   if (summary.slam.mapBuilder() != nullptr) json["floor"] = floorJson(summary.slam.mapBuilder()->floorSeen());
   json["stages"] = stagesJson(summary.slam.profiler());
   json["fps"] = elapsed_s > 0 ? rounded(static_cast<double>(statistics.frames()) / elapsed_s, 2) : 0.0;
   json["peak_rss_mb"] = rounded(peakMemory_mb(), 1);
+  json["versions"] = versionsJson();
   json["deterministic"] = summary.deterministic;
   json["interrupted"] = summary.interrupted;
   json["events"] = eventsOf(summary);
@@ -158,13 +172,19 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
 }  // namespace
 
 RunFolder::RunFolder(const std::filesystem::path& folder)
-    : folder_(makeFolder(folder)), live_(folder / "trajectory_live.txt") {}
+    : folder_(makeFolder(folder)), live_(folder / "trajectory_live.txt"), frames_(folder / "frames.csv") {}
+
+void RunFolder::setStampOrigin(double origin_s) {
+  stampOrigin_s_ = origin_s;
+  frames_.setStampOrigin(origin_s);
+}
 
 void RunFolder::writeConfiguration(const std::string& yaml) const {
   core::writeFileAtomically(folder_ / "config.yaml", yaml);
 }
 
 void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
+  frames_.onFrame(frame, odometry);
   if (!odometry.hasPose()) return;
   if (livePiece_ && *livePiece_ != odometry.piece) live_.writeComment("piece " + std::to_string(odometry.piece));
   livePiece_ = odometry.piece;
@@ -180,6 +200,7 @@ void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult
 void RunFolder::finish(const RunSummary& summary) {
   core::FirstFailure failure;
   failure.attempt([&] { live_.finish(); });
+  failure.attempt([&] { frames_.finish(); });
   failure.attempt([&] { removeTrajectoriesOfPieces(folder_); });
   failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory(), stampOrigin_s_); });
   failure.attempt([&] {

@@ -8,9 +8,11 @@
 
 #include "dynamic_truth.h"
 #include "live_run.h"
+#include "picture_writer.h"
 #include "wardslam/core/event_counts.h"
 #include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/pipeline/frame_observer.h"
+#include "wardslam/pipeline/frame_table.h"
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/pipeline/zone_watch.h"
@@ -27,6 +29,7 @@ struct RunSummary {
   std::size_t failedMapWrites;       ///< Made up for later, unless the run says otherwise.
   const DynamicTruth* truth;         ///< Null: not compared.
   const LiveRun* live;               ///< Null: a recording.
+  PictureOptions pictures;
   bool interrupted;
   bool deterministic;
   sources::SensorCounts sensors;  ///< Of a rawlog.
@@ -34,14 +37,15 @@ struct RunSummary {
 
 /// The results of a run on disk: trajectory_live.txt (poses as they were known at the time; grows with every frame; a
 /// comment tells where another piece begins), trajectory.txt (the frames in the map, corrected by all that was learnt
-/// later), trajectory_piece_N.txt (those of pieces that are not joined to it), config.yaml and summary.json.
+/// later), trajectory_piece_N.txt (those of pieces that are not joined to it), frames.csv (a line for every frame as it
+/// comes), config.yaml and summary.json.
 class RunFolder : public pipeline::FrameObserver {
  public:
   /// Makes the folder. Throws core::InputError when it cannot be written.
   explicit RunFolder(const std::filesystem::path& folder);
 
   /// Before the first frame: stamps in the files are seconds since then (UNIX s).
-  void setStampOrigin(double origin_s) { stampOrigin_s_ = origin_s; }
+  void setStampOrigin(double origin_s);
 
   void writeConfiguration(const std::string& yaml) const;
   void onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) override;
@@ -51,6 +55,7 @@ class RunFolder : public pipeline::FrameObserver {
  private:
   std::filesystem::path folder_;
   exchange::TumTrajectoryWriter live_;
+  pipeline::FrameTable frames_;
   double stampOrigin_s_ = 0.0;
   std::optional<std::uint32_t> livePiece_;  ///< Of the last pose written.
   bool wasBehind_ = false;                  ///< The disk did not take all poses.
