@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "stored_map.h"
-#include "stored_rooms.h"
 #include "support/program.h"
+#include "wardslam/building/rooms_of_map.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/exchange/fleet_export.h"
 #include "wardslam/exchange/map_export.h"
@@ -50,7 +50,7 @@ void writeMap(const Source& source, const Path& file) {
 }
 
 void writeGeoPackage(const Source& source, const Path& file) {
-  exchange::exportGeoPackage(source.map, roomsOf(source.map), file);
+  exchange::exportGeoPackage(source.map, building::roomsOf(source.map), file);
 }
 
 /// Programs for fleets call the map as its file is called.
@@ -63,7 +63,7 @@ building::RouteNetwork networkOf(const Source& source) {
   rules.radius_m = source.robotRadius_m;
   rules.forbidden = mapping::zonesOfType(source.map.zones, mapping::ZoneType::Forbidden);
   const query::DrivableFloor floor(source.map.floorPlan, rules);
-  auto routes = query::routesThrough(roomsOf(source.map), floor, source.map.zones);
+  auto routes = query::routesThrough(building::roomsOf(source.map), floor, source.map.zones);
   if (routes.network.lanes.empty())
     throw core::InputError(source.file.string() + ": no ways between rooms are found for a robot of radius " +
                            std::to_string(source.robotRadius_m) + " m; does the map have a floor plan with rooms?");
