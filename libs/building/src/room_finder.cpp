@@ -112,4 +112,12 @@ Rooms findRooms(const mapping::FloorPlan& plan, const std::vector<const mapping:
   return rooms;
 }
 
+Rooms findRooms(const mapping::SemanticMap& map, const RoomOptions& options) {
+  std::vector<const mapping::MapObject*> things;
+  for (const auto& [id, object] : map.objects) {
+    if (object.piece == map.piece) things.push_back(&object);
+  }
+  return findRooms(map.floorPlan, things, map.zones, options);
+}
+
 }  // namespace wardslam::building

@@ -29,6 +29,11 @@ const Room* Rooms::at(const Eigen::Vector2d& p_map_m, double reach_m) const {
   return found == 0 ? nullptr : &all[static_cast<std::size_t>(found - 1)];
 }
 
+std::string Rooms::nameAround(const Eigen::Vector3d& p_map_m) const {
+  const auto* room = at(p_map_m.head<2>(), kRoomReach_m);
+  return room == nullptr ? std::string() : room->name;
+}
+
 const Room& Rooms::named(const std::string& name) const {
   const auto room = std::find_if(all.begin(), all.end(), [&name](const Room& each) { return each.name == name; });
   if (room != all.end()) return *room;

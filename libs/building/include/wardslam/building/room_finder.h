@@ -3,9 +3,7 @@
 #include <vector>
 
 #include "wardslam/building/rooms.h"
-#include "wardslam/mapping/floor_plan.h"
-#include "wardslam/mapping/map_object.h"
-#include "wardslam/mapping/zone.h"
+#include "wardslam/mapping/semantic_map.h"
 
 namespace wardslam::building {
 
@@ -24,5 +22,8 @@ struct RoomOptions {
 /// a name.
 [[nodiscard]] Rooms findRooms(const mapping::FloorPlan& plan, const std::vector<const mapping::MapObject*>& things,
                               const std::vector<mapping::Zone>& zones, const RoomOptions& options = {});
+
+/// Those of a map. What is gone from it is no wall either.
+[[nodiscard]] Rooms findRooms(const mapping::SemanticMap& map, const RoomOptions& options = {});
 
 }  // namespace wardslam::building

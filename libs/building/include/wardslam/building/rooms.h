@@ -29,6 +29,9 @@ struct Door {
   [[nodiscard]] Eigen::Vector2d middle_m() const { return (from_m + to_m) / 2.0; }
 };
 
+/// A thing at a wall stands in the room before it, and a camera over a bed is in the room of the bed.
+constexpr double kRoomReach_m = 0.5;
+
 /// The rooms of a storey. Plain data; findRooms() makes it.
 struct Rooms {
   std::vector<Room> all;  ///< Room i has the id i + 1.
@@ -40,6 +43,8 @@ struct Rooms {
   /// The room around a place, or at most `reach_m` from it (a thing at a wall, a camera over a bed); nullptr where
   /// there is none.
   [[nodiscard]] const Room* at(const Eigen::Vector2d& p_map_m, double reach_m = 0.0) const;
+  /// Of the room that a thing or a camera there is in, within kRoomReach_m; empty where there is none.
+  [[nodiscard]] std::string nameAround(const Eigen::Vector3d& p_map_m) const;
   /// Throws core::InputError, naming the one most like it, where no room is called so.
   [[nodiscard]] const Room& named(const std::string& name) const;
 };
