@@ -59,6 +59,18 @@ class FleetCommandTest : public testing::Test {
     EXPECT_EQ(answer.out, expected.out) << testing::PrintToString(question);
   }
 
+  /// `condition`: on those who are connected to the database.
+  static void waitUntil(const std::string& condition) {
+    for (int look = 0; look < 600; ++look) {
+      const auto isSo = server_->sql("hospital", "SELECT " + condition +
+                                                     " FROM pg_stat_activity WHERE datname = 'hospital' AND pid <> "
+                                                     "pg_backend_pid() AND backend_type = 'client backend'");
+      if (isSo == "t") return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    FAIL() << "never " << condition;
+  }
+
   static inline std::unique_ptr<DatabaseServer> server_;
   TemporaryFolder folder_;
   std::string path_ = (folder_.path() / "ward.wardmap").string();
@@ -97,10 +109,10 @@ TEST_F(FleetCommandTest, HistoryTellsWhereAThingWas) {
 
 TEST_F(FleetCommandTest, WatchEndsCleanlyOnCtrlC) {
   RunningProgram watching("wardslam", command({"watch", "--robot", "robot 9"}));
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  waitUntil("count(*) = 1 AND min(query) LIKE 'LISTEN%'");
   write(ward_);
   EXPECT_EQ(fleet({"push", path_, "--robot", "robot 9", "--site", "watched"}).err, "");
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  waitUntil("count(*) = 1 AND min(query) NOT LIKE 'LISTEN%' AND min(state) = 'idle'");  // has asked what changed
   watching.send(SIGINT);
   const auto result = watching.wait();
   EXPECT_EQ(result.exitCode, 0);

@@ -112,6 +112,8 @@ pqxx::connection connectTo(const std::string& url) {
     return pqxx::connection(url);
   } catch (const pqxx::failure& error) {
     const std::string said = onOneLine(error.what());
+    if (contains(said, "the database system is"))
+      throw ConnectionLost(withoutPassword(url) + ": the server is starting or going down; try again");
     throw CannotConnect(withoutPassword(url) + ": cannot connect (" + said + "); " + adviceFor(said));
   }
 }

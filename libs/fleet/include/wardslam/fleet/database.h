@@ -14,7 +14,8 @@ class CannotConnect : public core::InputError {
   using core::InputError::InputError;
 };
 
-/// The connection broke off on the way: nothing is lost or half done, and doing it again is all that is needed.
+/// The connection broke off on the way, or the server is starting: nothing is lost or half done, and doing it again is
+/// all that is needed.
 class ConnectionLost : public core::InputError {
  public:
   using core::InputError::InputError;
