@@ -1,5 +1,6 @@
 // usage: measure_fleet push DATABASE FOLDER MAPS    ten robots push so many maps each, whatever becomes of the server
 //        measure_fleet scale DATABASE FOLDER        fills the database with 100 robots, and asks it
+//        measure_fleet ask DATABASE                 asks one that is full already
 //
 // push: two states of each map, at once, each again until it is there. The first of all is pushed before, by the robot
 // `peace`. scale: each robot has a storey of 40 m by 40 m with 16 rooms, each of which is a zone, and 1000 things, and
@@ -233,8 +234,10 @@ int main(int argc, char** argv) try {
   } else if (arguments.size() == 3 && arguments[0] == "scale") {
     fill(arguments[1], arguments[2]);
     askAll(arguments[1]);
+  } else if (arguments.size() == 2 && arguments[0] == "ask") {
+    askAll(arguments[1]);
   } else {
-    throw std::runtime_error("usage: measure_fleet push DATABASE FOLDER MAPS | scale DATABASE FOLDER");
+    throw std::runtime_error("usage: measure_fleet push DATABASE FOLDER MAPS | scale DATABASE FOLDER | ask DATABASE");
   }
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";

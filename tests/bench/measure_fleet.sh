@@ -55,6 +55,7 @@ kill_server() { # stopped first, so that it has no more children
   local server children
   server=$(head -n 1 "$out/server/data/postmaster.pid")
   kill -STOP "$server"
+  until ps -o stat= -p "$server" | grep -q '^T'; do sleep 0.01; done
   children=$(ps -o pid= --ppid "$server" || true)
   # shellcheck disable=SC2086  # several numbers
   kill -KILL "$server" $children 2>/dev/null || true

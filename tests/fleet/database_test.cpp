@@ -1,7 +1,5 @@
 #include "wardslam/fleet/database.h"
 
-#include <thread>
-
 #include "fleet/fleet_test.h"
 
 namespace wardslam::fleet {
@@ -26,11 +24,7 @@ TEST(DatabaseUrl, IsShownWithoutThePassword) {
 
 TEST_F(DatabaseTest, IsPreparedOnceByManyAtOnce) {
   const auto url = server().make("bare");
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 4; ++i) {
-    threads.emplace_back([&] { EXPECT_EQ(prepareDatabase(url).now, schemaVersion()); });
-  }
-  for (auto& thread : threads) thread.join();
+  atOnce(4, [&](int) { EXPECT_EQ(prepareDatabase(url).now, schemaVersion()); });
   EXPECT_EQ(prepareDatabase(url).before, schemaVersion());
   EXPECT_EQ(server().sql("bare", "SELECT count(*) FROM wardslam.migrations"), std::to_string(schemaVersion()));
 }

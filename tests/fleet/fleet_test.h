@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <exception>
 #include <memory>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "support/complaint.h"
 #include "support/database_server.h"
@@ -15,6 +18,22 @@
 #include "wardslam/storage/map_file.h"
 
 namespace wardslam::fleet {
+
+/// `act(1)` to `act(threads)`, each in a thread of its own.
+template <class Act>
+void atOnce(int threads, const Act& act) {
+  std::vector<std::thread> all;
+  for (int number = 1; number <= threads; ++number) {
+    all.emplace_back([&act, number] {
+      try {
+        act(number);
+      } catch (const std::exception& error) {
+        ADD_FAILURE() << error.what();
+      }
+    });
+  }
+  for (auto& thread : all) thread.join();
+}
 
 /// One server for all tests of this program, a database with the schema for each of them.
 class FleetTest : public testing::Test {

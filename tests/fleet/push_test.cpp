@@ -91,19 +91,13 @@ TEST_F(PushTest, WhatTheMapNoLongerHasIsNotAskedFor) {
   EXPECT_EQ(count("keyframes"), 3);
 }
 
-/// Robots 1 to 10, each with the ward as its map; `act(robot)` in threads of their own.
-template <class Act>
-void atOnce(const Act& act) {
-  std::vector<std::thread> threads;
-  for (int robot = 1; robot <= 10; ++robot) threads.emplace_back([&, robot] { act(robot); });
-  for (auto& thread : threads) thread.join();
-}
+constexpr int kRobots = 10;
 
 MapIdentity mapOf(int robot) { return {"robot " + std::to_string(robot), "ward", "north", "1"}; }
 
 TEST_F(PushTest, TenRobotsAtOnceLoseAndDoubleNothing) {
   writeWard();
-  atOnce([&](int robot) { EXPECT_EQ(push(url_, mapOf(robot), file_).objects, 7U); });
+  atOnce(kRobots, [&](int robot) { EXPECT_EQ(push(url_, mapOf(robot), file_).objects, 7U); });
   EXPECT_EQ(sql("SELECT count(*), count(DISTINCT robot) FROM maps"), "10|10");
   EXPECT_EQ(count("storeys"), 1);
   for (const auto& [table, rows] : {std::pair("keyframes", 30), std::pair("objects", 70), std::pair("sightings", 70)}) {
@@ -114,7 +108,7 @@ TEST_F(PushTest, TenRobotsAtOnceLoseAndDoubleNothing) {
 TEST_F(PushTest, OneMapPushedTenTimesAtOnceIsThereOnce) {
   writeWard();
   std::atomic<int> pushed = 0;
-  atOnce([&](int) {
+  atOnce(kRobots, [&](int) {
     if (push(url_, mapOf(1), file_).outcome == Outcome::Pushed) ++pushed;
   });
   EXPECT_EQ(pushed, 1);
@@ -136,7 +130,7 @@ TEST_F(PushTest, AServerThatIsKilledAgainAndAgainLosesAndDoublesNothing) {
     }
     isOver = true;
   });
-  atOnce([&](int robot) {
+  atOnce(kRobots, [&](int robot) {
     PushOptions options;
     options.note = [&](const std::string&) { ++brokeOff; };
     for (int map = 1; map <= 500 && !isOver; ++map) {

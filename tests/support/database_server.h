@@ -48,7 +48,9 @@ class DatabaseServer {
   /// All its processes at once, with SIGKILL.
   void kill() const {
     const pid_t server = std::stoi(readText(folder_.path() / "data/postmaster.pid"));
-    ::kill(server, SIGSTOP);  // has no more children from here on
+    ::kill(server, SIGSTOP);  // once it has stopped, it has no more children
+    while (statusOf(std::to_string(server)).substr(0, 1) != "T")
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::vector<pid_t> processes = childrenOf(server);
     processes.push_back(server);
     for (const pid_t process : processes) ::kill(process, SIGKILL);

@@ -1,5 +1,7 @@
 -- Lengths in metres in the frame of the map a row belongs to, times in UNIX seconds. A box is the MultiPoint of its
--- lowest and highest corner: its bounds are the box.
+-- lowest and highest corner: its bounds are the box. Maps lie one over the other, each in its own frame, so indices of
+-- places begin with the map.
+CREATE EXTENSION IF NOT EXISTS btree_gist SCHEMA public;
 CREATE TABLE robots (id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY, name text NOT NULL UNIQUE);
 CREATE TABLE storeys (
   id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY, site text NOT NULL, name text NOT NULL, UNIQUE (site, name));
@@ -30,7 +32,7 @@ CREATE TABLE labels (
 CREATE TABLE runs (
   map bigint NOT NULL REFERENCES maps, number integer NOT NULL, first_s float8 NOT NULL, last_s float8 NOT NULL,
   keyframes integer NOT NULL, way geometry(LineStringZM), PRIMARY KEY (map, number));
-CREATE INDEX runs_by_way ON runs USING gist (way gist_geometry_ops_nd);
+CREATE INDEX runs_by_way ON runs USING gist (map, way gist_geometry_ops_nd);
 CREATE TABLE keyframes (
   map bigint NOT NULL REFERENCES maps, number bigint NOT NULL, run integer NOT NULL, stamp_s float8 NOT NULL,
   place geometry(PointZ) NOT NULL, qx float8 NOT NULL, qy float8 NOT NULL, qz float8 NOT NULL, qw float8 NOT NULL,
@@ -39,11 +41,11 @@ CREATE TABLE keyframes (
 CREATE TABLE zones (
   map bigint NOT NULL REFERENCES maps, position integer NOT NULL, name text NOT NULL, area geometry(Polygon) NOT NULL,
   PRIMARY KEY (map, position));
-CREATE INDEX zones_by_area ON zones USING gist (area);
+CREATE INDEX zones_by_area ON zones USING gist (map, area);
 CREATE TABLE rooms (
   map bigint NOT NULL REFERENCES maps, number integer NOT NULL, name text NOT NULL,
   area geometry(MultiPolygon) NOT NULL, digest text NOT NULL, PRIMARY KEY (map, number));
-CREATE INDEX rooms_by_area ON rooms USING gist (area);
+CREATE INDEX rooms_by_area ON rooms USING gist (map, area);
 -- The room around a place, by the rooms as they are known now: they get other numbers and outlines as more is seen, so
 -- what stood there has no room written beside it. At most building::kRoomReach_m away.
 CREATE FUNCTION room_at(map bigint, place geometry) RETURNS text LANGUAGE sql STABLE AS $$
@@ -67,8 +69,8 @@ CREATE TABLE objects (
   state text NOT NULL CHECK (state IN ('static', 'moved', 'gone')), maybe_same_as bigint, maybe_probability float8,
   digest text NOT NULL, PRIMARY KEY (map, number));
 CREATE INDEX objects_by_thing ON objects (thing);
-CREATE INDEX objects_by_place ON objects USING gist (place gist_geometry_ops_nd);
-CREATE INDEX objects_by_box ON objects USING gist (box gist_geometry_ops_nd);
+CREATE INDEX objects_by_place ON objects USING gist (map, place gist_geometry_ops_nd);
+CREATE INDEX objects_by_box ON objects USING gist (map, box gist_geometry_ops_nd);
 
 -- An object stood there from the first to the last time it was seen there. ended_s: when it was known to be elsewhere
 -- or gone.
@@ -78,7 +80,7 @@ CREATE TABLE sightings (
   ended text CHECK (ended IN ('moved', 'gone')), ended_s float8,
   PRIMARY KEY (map, object, since_s), FOREIGN KEY (map, object) REFERENCES objects,
   CHECK (since_s <= until_s), CHECK ((ended IS NULL) = (ended_s IS NULL)));
-CREATE INDEX sightings_by_place ON sightings USING gist (place gist_geometry_ops_nd);
+CREATE INDEX sightings_by_place ON sightings USING gist (map, place gist_geometry_ops_nd);
 CREATE INDEX sightings_by_end ON sightings (map, ended_s) WHERE ended IS NOT NULL;
 
 CREATE TABLE pushes (

@@ -14,11 +14,11 @@ constexpr const char* kColumns =
     "ST_Y(s.place), ST_Z(s.place), ST_XMin(s.box), ST_YMin(s.box), ST_ZMin(s.box), ST_XMax(s.box), ST_YMax(s.box), "
     "ST_ZMax(s.box), s.zone, coalesce(room_at(s.map, s.place), '') AS room";
 
-/// $1 to $4 are the choice of maps.
-constexpr const char* kTables =
-    " FROM sightings s JOIN objects o ON o.map = s.map AND o.number = s.object JOIN maps ON maps.id = s.map "
-    "JOIN storeys ON storeys.id = maps.storey JOIN robots ON robots.id = maps.robot "
+/// Of sightings s of objects o.
+constexpr const char* kNames =
+    " JOIN maps ON maps.id = s.map JOIN storeys ON storeys.id = maps.storey JOIN robots ON robots.id = maps.robot "
     "LEFT JOIN labels ON labels.map = o.map AND labels.class_id = o.class_id ";
+/// $1 to $4 are the choice of maps.
 constexpr const char* kChosen =
     "($1 = '' OR site = $1) AND ($2 = '' OR storeys.name = $2) AND ($3 = '' OR robots.name = $3) "
     "AND ($4 = '' OR maps.name = $4) ";
@@ -72,21 +72,31 @@ std::vector<Whereabouts> find(const std::string& url, const std::string& sql, co
   });
 }
 
+/// The sightings s of the chosen maps that meet the condition. Map by map, for the planner would rather read all there
+/// are.
+std::string ofChosenMaps(const std::string& columns, const std::string& condition) {
+  return std::string(
+             "WITH chosen AS MATERIALIZED (SELECT maps.id FROM maps JOIN storeys ON storeys.id = maps.storey "
+             "JOIN robots ON robots.id = maps.robot WHERE ") +
+         kChosen + ") SELECT " + columns +
+         " FROM chosen CROSS JOIN LATERAL (SELECT * FROM sightings WHERE sightings.map = chosen.id AND " + condition +
+         " OFFSET 0) s JOIN objects o ON o.map = s.map AND o.number = s.object" + kNames;
+}
+
 /// $5 is its name, $6 since when.
 std::string leavingAZone() {
-  return std::string("SELECT ") + kColumns + ", CASE WHEN s.ended = 'moved' THEN n.zone END" + kTables +
-         "JOIN zones z ON z.map = s.map AND z.name = $5 AND ST_Intersects(z.area, s.place) " + kNext + "WHERE " +
-         kChosen +
-         "AND s.ended_s >= $6 AND (s.ended = 'gone' OR NOT ST_Intersects(z.area, n.place)) "
-         "ORDER BY s.ended_s, robot, map_name, o.number";
+  return ofChosenMaps(std::string(kColumns) + ", CASE WHEN s.ended = 'moved' THEN n.zone END",
+                      "ended IS NOT NULL AND ended_s >= $6") +
+         "JOIN zones z ON z.map = s.map AND z.name = $5 AND ST_Intersects(z.area, s.place) " + kNext +
+         "WHERE s.ended = 'gone' OR NOT ST_Intersects(z.area, n.place) ORDER BY s.ended_s, robot, map_name, o.number";
 }
 
 std::string leavingARoom() {
-  return std::string("SELECT ") + kColumns +
-         ", CASE WHEN s.ended = 'moved' THEN coalesce(room_at(n.map, n.place), '') " + "END" + kTables +
-         "JOIN rooms r ON r.map = s.map AND r.name = $5 AND ST_DWithin(r.area, s.place, 0.5) " + kNext + "WHERE " +
-         kChosen +
-         "AND s.ended_s >= $6 AND room_at(s.map, s.place) = $5 "
+  return ofChosenMaps(
+             std::string(kColumns) + ", CASE WHEN s.ended = 'moved' THEN coalesce(room_at(n.map, n.place), '') END",
+             "ended IS NOT NULL AND ended_s >= $6") +
+         "JOIN rooms r ON r.map = s.map AND r.name = $5 AND ST_DWithin(r.area, s.place, 0.5) " + kNext +
+         "WHERE room_at(s.map, s.place) = $5 "
          "AND (s.ended = 'gone' OR room_at(n.map, n.place) IS DISTINCT FROM $5) "
          "ORDER BY s.ended_s, robot, map_name, o.number";
 }
@@ -124,23 +134,29 @@ std::string leaving(pqxx::transaction_base& transaction, const MapChoice& choice
 
 std::vector<Whereabouts> whereWas(const std::string& url, const MapChoice& choice, const std::string& className,
                                   mapping::ObjectId object, double at_s) {
+  // Step by step, for the planner would rather read all sightings there are.
   const std::string sql =
-      std::string("SELECT * FROM (SELECT DISTINCT ON (s.map, s.object) ") + kColumns + kTables +
-      "WHERE o.thing IN (SELECT o.thing FROM objects o JOIN maps ON maps.id = o.map JOIN storeys ON storeys.id = "
-      "maps.storey JOIN robots ON robots.id = maps.robot LEFT JOIN labels ON labels.map = o.map AND labels.class_id = "
-      "o.class_id WHERE " +
+      std::string(
+          "WITH asked AS MATERIALIZED (SELECT DISTINCT o.thing FROM maps JOIN storeys ON storeys.id = "
+          "maps.storey JOIN robots ON robots.id = maps.robot JOIN objects o ON o.map = maps.id AND o.number = $5 "
+          "LEFT JOIN labels ON labels.map = o.map AND labels.class_id = o.class_id WHERE ") +
       kChosen +
-      "AND o.number = $5 AND ($6 = '' OR labels.name = $6)) AND s.since_s <= $7 AND (o.in_map OR s.until_s >= $7) "
-      "ORDER BY s.map, s.object, s.since_s DESC) AS found ORDER BY least(until_s, $7) DESC, robot, map_name";
+      "AND ($6 = '' OR labels.name = $6)), same AS MATERIALIZED (SELECT o.* FROM asked CROSS JOIN LATERAL (SELECT * "
+      "FROM "
+      "objects WHERE objects.thing = asked.thing OFFSET 0) o) SELECT " +
+      kColumns +
+      " FROM same o CROSS JOIN LATERAL (SELECT * FROM sightings s WHERE s.map = o.map AND s.object = o.number AND "
+      "s.since_s <= $7 ORDER BY s.since_s DESC LIMIT 1) s" +
+      kNames + "WHERE o.in_map OR s.until_s >= $7 ORDER BY least(s.until_s, $7) DESC, robot, map_name";
   return find(url, sql, choice, object, className, at_s);
 }
 
 std::vector<Whereabouts> whatStood(const std::string& url, const MapChoice& choice, const Eigen::Vector3d& p_map_m,
                                    double radius_m, double at_s) {
-  const std::string sql = std::string("SELECT ") + kColumns + kTables + "WHERE " + kChosen +
-                          "AND ST_3DDWithin(s.place, ST_MakePoint($5, $6, $7), $8) AND s.since_s <= $9 "
-                          "AND (s.ended IS NULL OR s.ended_s > $9) AND (o.in_map OR s.until_s >= $9) "
-                          "ORDER BY robot, map_name, o.number";
+  const std::string sql = ofChosenMaps(kColumns,
+                                       "ST_3DDWithin(place, ST_MakePoint($5, $6, $7), $8) AND since_s <= $9 "
+                                       "AND (ended IS NULL OR ended_s > $9)") +
+                          "WHERE o.in_map OR s.until_s >= $9 ORDER BY robot, map_name, o.number";
   return find(url, sql, choice, p_map_m.x(), p_map_m.y(), p_map_m.z(), radius_m, at_s);
 }
 
