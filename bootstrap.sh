@@ -15,12 +15,14 @@ readonly PACKAGES=(
   libsqlitecpp-dev libzstd-dev liboctomap-dev # the map file and its exports
   zlib1g-dev # rawlogs
   libpng-dev # masks
+  libpqxx-dev # the hospital's database
   libbz2-dev liblz4-dev # recordings of ROS
-  libcurl4-openssl-dev libssl-dev # wardslam models
+  libcurl4-openssl-dev libssl-dev # wardslam models and fleet
   libembree-dev # rawlog-synth casts rays
   libegl1 libegl-mesa0 libgl1-mesa-dri # pictures of a map without a display
   libjs-dygraphs # plots of wardslam report
   libopenni2-dev # the virtual camera of the tests
+  postgresql postgresql-postgis # a server of the tests' own
   mrpt-apps # rawlog-edit and rawlog-grabber, which the tests run
   dpkg-dev file # the Debian package
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3

@@ -27,6 +27,8 @@ find_package(PNG REQUIRED)
 find_package(BZip2 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
+pkg_check_modules(pqxx REQUIRED IMPORTED_TARGET libpqxx)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(octomap REQUIRED)
 find_package(embree REQUIRED)
 

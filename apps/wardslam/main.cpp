@@ -5,6 +5,7 @@
 #include "eval_command.h"
 #include "eval_floor_command.h"
 #include "eval_objects_command.h"
+#include "fleet_command.h"
 #include "knowledge_command.h"
 #include "map_command.h"
 #include "models_command.h"
@@ -30,6 +31,7 @@ int main(int argc, char** argv) {
     addModelsCommand(app);
     addKnowledgeCommand(app);
     addMapCommand(app);
+    addFleetCommand(app);
     addDoctorCommand(app);
     return parseCommandLine(app, argc, argv).value_or(kSuccess);
   });

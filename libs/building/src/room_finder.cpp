@@ -1,6 +1,8 @@
 #include "wardslam/building/room_finder.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -55,11 +57,23 @@ std::vector<Door> doorsOf(const Rooms& rooms, const FloorRegions& regions, const
   return doors;
 }
 
+/// Cells that the zone may reach into.
+cv::Rect around(const mapping::Zone& zone, const Rooms& rooms) {
+  Eigen::AlignedBox2d box_m;
+  for (const auto& corner : zone.polygon_m) box_m.extend(corner);
+  const cv::Rect2d all(0.0, 0.0, rooms.ids.cols, rooms.ids.rows);
+  if (box_m.isEmpty()) return {};
+  const Eigen::Vector2d from = (box_m.min() - rooms.origin_m) / rooms.resolution_m - Eigen::Vector2d::Ones();
+  const Eigen::Vector2d size = box_m.sizes() / rooms.resolution_m + 3.0 * Eigen::Vector2d::Ones();
+  return cv::Rect2d(std::floor(from.x()), std::floor(from.y()), std::ceil(size.x()), std::ceil(size.y())) & all;
+}
+
 /// How many cells each room has in the zone.
 std::vector<double> cellsIn(const mapping::Zone& zone, const Rooms& rooms) {
   std::vector<double> cells(rooms.all.size(), 0.0);
-  for (int row = 0; row < rooms.ids.rows; ++row) {
-    for (int column = 0; column < rooms.ids.cols; ++column) {
+  const cv::Rect reach = around(zone, rooms);
+  for (int row = reach.y; row < reach.br().y; ++row) {
+    for (int column = reach.x; column < reach.br().x; ++column) {
       const int id = rooms.ids.at<int>(row, column);
       if (id != 0 && mapping::contains(zone, placeOf(rooms, {column, row})))
         cells[static_cast<std::size_t>(id - 1)] += 1.0;

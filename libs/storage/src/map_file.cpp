@@ -12,6 +12,7 @@
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/blob.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/mapping/floor_planner.h"
 
 namespace wardslam::storage {
 namespace {
@@ -284,7 +285,19 @@ mapping::SemanticMap MapFile::read(CloudPart cloud, PiecePart pieces) const {
   return connection_->reading([=](SQLite::Database& database) { return readMap(database, cloud, pieces); });
 }
 
+mapping::SemanticMap MapFile::readWithFloorPlan(CloudPart cloud) const {
+  auto map = read(cloud);
+  if (map.floorPlan.cells.empty() && !map.keyframes.empty()) {
+    map.floorPlan = mapping::drawFloorPlan(cloud == CloudPart::Include ? map : read(CloudPart::Include), {});
+  }
+  return map;
+}
+
 mapping::MapMemory MapFile::readMemory() const { return connection_->reading(storage::readMemory); }
+
+std::map<mapping::ObjectId, mapping::ObjectMemory> MapFile::readObjectMemories() const {
+  return connection_->reading(storage::readObjectMemories);
+}
 
 std::uint32_t MapFile::readFreeSubmap() const { return connection_->reading(storage::readFreeSubmap); }
 

@@ -11,6 +11,7 @@ namespace wardslam::storage {
 [[nodiscard]] MapHeader readHeader(SQLite::Database& database);
 [[nodiscard]] mapping::SemanticMap readMap(SQLite::Database& database, CloudPart cloud, PiecePart pieces);
 [[nodiscard]] mapping::MapMemory readMemory(SQLite::Database& database);
+[[nodiscard]] std::map<mapping::ObjectId, mapping::ObjectMemory> readObjectMemories(SQLite::Database& database);
 [[nodiscard]] std::vector<odometry::Keyframe> readViews(SQLite::Database& database);
 [[nodiscard]] std::map<odometry::PointId, Eigen::Vector3d> readPoints(SQLite::Database& database);
 [[nodiscard]] std::vector<LoopEdge> readLoops(SQLite::Database& database);

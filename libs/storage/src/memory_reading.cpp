@@ -64,6 +64,12 @@ void readObjectMemories(SQLite::Database& database, mapping::MapMemory& memory) 
 
 }  // namespace
 
+std::map<mapping::ObjectId, mapping::ObjectMemory> readObjectMemories(SQLite::Database& database) {
+  mapping::MapMemory memory;
+  readObjectMemories(database, memory);
+  return std::move(memory.objects);
+}
+
 mapping::MapMemory readMemory(SQLite::Database& database) {
   mapping::MapMemory memory;
   readTileMemories(database, memory);

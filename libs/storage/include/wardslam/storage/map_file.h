@@ -150,8 +150,14 @@ class MapFile {
   [[nodiscard]] mapping::SemanticMap read(CloudPart cloud = CloudPart::Include,
                                           PiecePart pieces = PiecePart::TheMap) const;
 
+  /// read() of the map. The floor plan of a run that was killed before it drew one is made up for.
+  [[nodiscard]] mapping::SemanticMap readWithFloorPlan(CloudPart cloud) const;
+
   /// What is known besides, for MapBuilder::restore().
   [[nodiscard]] mapping::MapMemory readMemory() const;
+
+  /// Of that, what is known of objects, of all pieces, without reading the rest.
+  [[nodiscard]] std::map<mapping::ObjectId, mapping::ObjectMemory> readObjectMemories() const;
 
   /// What the keyframes of all pieces saw, in order of their ids; `submap` is the piece, sightings name points of
   /// readPoints().

@@ -1,16 +1,11 @@
-#include "map_rooms_command.h"
+#include "map_rooms.h"
 
-#include <CLI/CLI.hpp>
-#include <filesystem>
-#include <iostream>
 #include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "answer.h"
 #include "picture_file.h"
-#include "stored_map.h"
 #include "support/table.h"
 #include "wardslam/building/rooms_of_map.h"
 #include "wardslam/viewer/rooms_picture.h"
@@ -19,13 +14,6 @@ namespace wardslam::apps {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct RoomsArguments {
-  std::filesystem::path file;
-  std::filesystem::path picture;
-  building::RoomOptions options;
-  bool json = false;
-};
 
 /// By the name of the room.
 struct Contents {
@@ -93,32 +81,21 @@ void print(std::ostream& out, const building::Rooms& rooms, Contents& contents) 
   table.print(out);
 }
 
-void listRooms(const RoomsArguments& arguments) {
-  const auto map = readStoredMap(arguments.file, storage::CloudPart::LeaveOut);
-  const auto rooms = building::roomsOf(map, arguments.options);
-  if (!arguments.picture.empty()) writePng(arguments.picture, viewer::drawRooms(rooms));
-  auto contents = contentsOf(map, rooms);
-  if (arguments.json) {
-    std::cout << toJson(rooms, contents).dump(2) << "\n";
-  } else {
-    print(std::cout, rooms, contents);
-  }
-}
-
 }  // namespace
 
-void addMapRoomsCommand(CLI::App& mapCommand) {
-  CLI::App* command = mapCommand.add_subcommand("rooms", "The rooms of the floor plan and the doors between them");
-  const auto arguments = std::make_shared<RoomsArguments>();
-  command->add_option("FILE", arguments->file, "a map (.wardmap)")->required();
-  command->add_option("--picture", arguments->picture, "write a PNG of them, too");
-  command
-      ->add_option("--widest-door", arguments->options.widestDoor_m,
-                   "a wider passage joins what it leads to to one room, metres")
+void answerRooms(const MapQuestion& question, const mapping::SemanticMap& map) {
+  const auto rooms = building::roomsOf(map, question.rooms);
+  if (!question.picture.empty()) writePng(question.picture, viewer::drawRooms(rooms));
+  auto contents = contentsOf(map, rooms);
+  show(question.json, toJson(rooms, contents), [&](std::ostream& out) { print(out, rooms, contents); });
+}
+
+void addRoomsOptions(CLI::App& verb, MapQuestion& question) {
+  verb.add_option("--picture", question.picture, "write a PNG of them, too");
+  verb.add_option("--widest-door", question.rooms.widestDoor_m,
+                  "a wider passage joins what it leads to to one room, metres")
       ->check(CLI::Range(0.5, 10.0))
       ->capture_default_str();
-  command->add_flag("--json", arguments->json, "print JSON instead of a table");
-  command->callback([arguments] { listRooms(*arguments); });
 }
 
 }  // namespace wardslam::apps
