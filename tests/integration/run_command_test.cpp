@@ -61,7 +61,7 @@ TEST_F(RunCommand, WritesTrajectorySummaryAndConfiguration) {
 
   std::set<std::string> files;
   for (const auto& file : fs::directory_iterator(out)) files.insert(file.path().filename());
-  EXPECT_EQ(files, (std::set<std::string>{"config.yaml", "map.wardmap", "objects.json", "summary.json",
+  EXPECT_EQ(files, (std::set<std::string>{"config.yaml", "frames.csv", "map.wardmap", "objects.json", "summary.json",
                                           "trajectory.txt", "trajectory_live.txt"}));
 }
 
