@@ -12,18 +12,10 @@
 set -euo pipefail
 
 readonly PACKAGE=libmrpt-maps-dev VERSION='1:2.5.8+ds-2' SUITE=bookworm
+readonly -a TOOLS=(g++ cmake)
 
-die() {
-  printf '%s\n' "$*" >&2
-  exit 1
-}
-
-make_root() { # make_root DIR
-  debootstrap --variant=minbase "$SUITE" "$1" >&2
-  chroot "$1" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "$PACKAGE" g++ cmake >&2
-}
-
-in_root() { chroot "$root" env --chdir="/${work#"$root"/}" "$@" 2>&1; }
+# shellcheck source=findings/support/debian_root.bash
+source "$(dirname "${BASH_SOURCE[0]}")/support/debian_root.bash"
 
 # A map of 3 x 2 cells of 0.1 m; the first cell of the upper row is occupied.
 program() {
@@ -52,35 +44,8 @@ int main() {
 CPP
 }
 
-((EUID == 0)) || die "needs root, for chroot"
-root='' made=''
-if [[ ${1-} == --root ]]; then
-  root=$(realpath "$2")
-else
-  (($# == 0)) || die "usage: $0 [--root DIR]"
-  made=$(mktemp -d)
-  trap 'rm -rf --one-file-system "$made"' EXIT
-  root=$made
-  make_root "$root"
-fi
-work=$(mktemp -d -p "$root/tmp")
-trap 'rm -rf --one-file-system "$work" ${made:+"$made"}' EXIT
-
-# shellcheck disable=SC2016 # dpkg-query's, not the shell's
-version=$(chroot "$root" dpkg-query -W -f '${Version}' "$PACKAGE") || die "$root has no $PACKAGE"
-printf '%s %s\n' "$PACKAGE" "$version"
-[[ $version == "$VERSION"* ]] || die "this is about version $VERSION: look again"
-
-program >"$work/look.cpp"
-cat >"$work/CMakeLists.txt" <<'CMAKE'
-cmake_minimum_required(VERSION 3.25)
-project(look LANGUAGES C CXX)
-find_package(mrpt-maps REQUIRED)
-add_executable(look look.cpp)
-target_link_libraries(look PRIVATE mrpt::maps)
-CMAKE
-in_root cmake -S . -B build >"$work/log" || die "$(cat "$work/log")"
-in_root cmake --build build >"$work/log" || die "$(cat "$work/log")"
+enter_root "$@"
+program | build_program
 echo 'input: a map of 3 x 2 cells of 0.1 m, the first cell of its upper row occupied, at two origins'
 seen=$(in_root build/look)
 printf 'should be: (0.85 2.05), a quarter turn about (1 2), and (1.08 2.22)\nis:\n%s\n' "$seen"

@@ -12,15 +12,8 @@ set -euo pipefail
 
 readonly PACKAGE=mrpt-apps VERSION='1:2.14.7+ds-1' SUITE=trixie
 
-die() {
-  printf '%s\n' "$*" >&2
-  exit 1
-}
-
-make_root() { # make_root DIR
-  debootstrap --variant=minbase "$SUITE" "$1" >&2
-  chroot "$1" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "$PACKAGE" >&2
-}
+# shellcheck source=findings/support/debian_root.bash
+source "$(dirname "${BASH_SOURCE[0]}")/support/debian_root.bash"
 
 carmen_log() {
   local i
@@ -38,8 +31,6 @@ entries() {
     END { print line }'
 }
 
-in_root() { chroot "$root" env --chdir="/${work#"$root"/}" "$@" 2>&1; }
-
 # check RIGHT FAULTY OPTIONS...: prints what rawlog-edit says and what is in its output; RIGHT should be, FAULTY is.
 check() {
   local right=$1 faulty=$2 said left status=0
@@ -53,24 +44,7 @@ check() {
   [[ $status == 0 && $said == 'Removed entries : '[1-9]* && $left == "$faulty" ]] || changed=1
 }
 
-((EUID == 0)) || die "needs root, for chroot"
-root='' made=''
-if [[ ${1-} == --root ]]; then
-  root=$(realpath "$2")
-else
-  (($# == 0)) || die "usage: $0 [--root DIR]"
-  made=$(mktemp -d)
-  trap 'rm -rf --one-file-system "$made"' EXIT
-  root=$made
-  make_root "$root"
-fi
-work=$(mktemp -d -p "$root/tmp")
-trap 'rm -rf --one-file-system "$work" ${made:+"$made"}' EXIT
-
-# shellcheck disable=SC2016 # dpkg-query's, not the shell's
-version=$(chroot "$root" dpkg-query -W -f '${Version}' "$PACKAGE") || die "$root has no $PACKAGE"
-printf '%s %s\n' "$PACKAGE" "$version"
-[[ $version == "$VERSION"* ]] || die "this is about version $VERSION: look again"
+enter_root "$@"
 
 carmen_log >"$work/walk.log"
 in_root carmen2rawlog -i walk.log -o walk.rawlog >/dev/null || die "carmen2rawlog could not make the input"
