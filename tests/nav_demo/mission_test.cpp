@@ -70,6 +70,16 @@ TEST_F(MissionTest, SaysThatAZoneIsInTheWay) {
   EXPECT_THAT(complaint(), HasSubstr("starts within forbidden zone 'store'"));
 }
 
+TEST_F(MissionTest, ZonesThatForbidThemselvesNeedNotBeNamed) {
+  forbid({{2.5, 3.5}, {3.5, 3.5}, {3.5, 5.0}, {2.5, 5.0}});
+  order_.forbidden.clear();
+  EXPECT_NO_THROW(static_cast<void>(planMission(map_, order_, {}))) << "a place forbids nothing";
+  map_.zones.back().type = mapping::ZoneType::Forbidden;
+  EXPECT_THAT(complaint(), HasSubstr("zone 'store' cuts off all ways to bed 1"));
+  order_.forbidden = {"store"};
+  EXPECT_THAT(complaint(), HasSubstr("zone 'store' cuts off all ways")) << "and is told once where it is";
+}
+
 TEST_F(MissionTest, SaysThatThereIsNoSpotOrNoWay) {
   map_.floorPlan.cells(cv::Rect(100, 40, 60, 80)).setTo(mapping::FloorPlan::kOccupied);
   EXPECT_THAT(complaint(), HasSubstr("no free spot beside bed 1"));

@@ -126,6 +126,15 @@ TEST_F(QueryTest, TheWayAlongTheFloorLeadsAroundWalls) {
   EXPECT_LT(far->distance_m, 1.08 * shortest_m + 0.3);
 }
 
+TEST_F(QueryTest, NoWayLeadsThroughAForbiddenZone) {
+  ObjectFilter behindTheWall = chairs();
+  behindTheWall.box_m = Eigen::AlignedBox3d(Eigen::Vector3d(3.5, -1, 0), Eigen::Vector3d(4.5, 1, 1));
+  map_.zones.push_back({"store", {{2.5, 3.5}, {3.5, 3.5}, {3.5, 5.0}, {2.5, 5.0}}});
+  EXPECT_TRUE(MapQuery(map_).nearestAlongFloor({2.5, 0.0}, behindTheWall)) << "a place forbids nothing";
+  map_.zones.back().type = mapping::ZoneType::Forbidden;
+  EXPECT_FALSE(MapQuery(map_).nearestAlongFloor({2.5, 0.0}, behindTheWall));
+}
+
 TEST_F(QueryTest, NoWayLeadsWhereTheFloorIsUnknown) {
   map_.floorPlan.cells.setTo(mapping::FloorPlan::kUnknown);
   EXPECT_FALSE(MapQuery(map_).nearestAlongFloor({0, 1}, chairs()));
