@@ -1,7 +1,8 @@
 // A program in the manner of MRPT's icp-slam, with WardSLAM in the place of ICP:
-//   map_builder MAP_BUILDER.ini RECORDING.rawlog PREFIX
-// writes PREFIX.simplemap, the metric maps that the .ini file asks for, and the poses PREFIX_live.txt (as they were
-// told while the robot drove) and PREFIX.txt (the camera's, by the map in the end).
+//   map_builder MAP_BUILDER.ini RECORDING.rawlog PREFIX [EARLIER.simplemap]
+// goes on in an earlier simple map if there is one (whose images the .ini had written), and writes PREFIX.simplemap,
+// the metric maps that the .ini file asks for, and the poses PREFIX_live.txt (as they were told while the robot drove)
+// and PREFIX.txt (the camera's, by the map in the end).
 #include <mrpt/config/CConfigFile.h>
 #include <mrpt/img/CImage.h>
 #include <mrpt/maps/CSimpleMap.h>
@@ -33,10 +34,17 @@ void feed(const CRawlog& rawlog, std::size_t entry, wardslam::mrpt_slam::CMetric
   }
 }
 
-void run(const std::string& iniFile, const std::string& rawlogFile, const std::string& prefix) {
+mrpt::maps::CSimpleMap readSimpleMap(const std::string& file) {
+  mrpt::maps::CSimpleMap simple;
+  if (!simple.loadFromFile(file)) throw std::runtime_error(file + ": cannot be read");
+  return simple;
+}
+
+void run(const std::string& iniFile, const std::string& rawlogFile, const std::string& prefix,
+         const mrpt::maps::CSimpleMap& earlier) {
   wardslam::mrpt_slam::CMetricMapBuilderSemantic builder;  // was: mrpt::slam::CMetricMapBuilderICP builder;
   builder.loadFromConfigFile(mrpt::config::CConfigFile(iniFile), "MappingApplication");
-  builder.initialize();
+  builder.initialize(earlier);
 
   CRawlog rawlog;
   if (!rawlog.loadFromRawLogFile(rawlogFile)) throw std::runtime_error(rawlogFile + ": cannot be read");
@@ -67,8 +75,9 @@ void run(const std::string& iniFile, const std::string& rawlogFile, const std::s
 }  // namespace
 
 int main(int count, char** arguments) try {
-  if (count != 4) throw std::runtime_error("usage: map_builder MAP_BUILDER.ini RECORDING.rawlog PREFIX");
-  run(arguments[1], arguments[2], arguments[3]);
+  if (count != 4 && count != 5)
+    throw std::runtime_error("usage: map_builder MAP_BUILDER.ini RECORDING.rawlog PREFIX [EARLIER.simplemap]");
+  run(arguments[1], arguments[2], arguments[3], count == 5 ? readSimpleMap(arguments[4]) : mrpt::maps::CSimpleMap());
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";
   return 1;

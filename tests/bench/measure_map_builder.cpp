@@ -1,7 +1,8 @@
 // usage: measure_map_builder RECORDING [FILTERED]
 //
 // Time per frame of a CMetricMapBuilderSemantic and of the SlamSystem it drives, frame by frame in turn, so that both
-// have the same machine; and whether their poses are the same. Filters are left out unless a second argument is given.
+// have the same machine; and whether their poses, clouds and things are the same. Filters are left out unless a second
+// argument is given.
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "wardslam/core/mrpt_compat.h"
+#include "wardslam/mapping/cloud_in_map.h"
 #include "wardslam/mrpt_slam/semantic_map_builder.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/sources/observation_source.h"
@@ -37,6 +39,26 @@ double sumOf(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   return sum;
+}
+
+std::vector<Eigen::Vector3f> pointsOf(const mapping::SemanticMap& map) {
+  std::vector<Eigen::Vector3f> points_m;
+  mapping::forEachCloudPoint(
+      map, [&](const Eigen::Vector3f& p_m, const mapping::SemanticPoint&) { points_m.push_back(p_m); });
+  return points_m;
+}
+
+/// Things of `a` that `b` has by the same number: of the same class and state, in the same place.
+std::size_t sameThings(const mapping::SemanticMap& a, const mapping::SemanticMap& b) {
+  std::size_t same = 0;
+  for (const auto& [id, thing] : a.objects) {
+    const auto other = b.objects.find(id);
+    same += other != b.objects.end() && other->second.classId == thing.classId && other->second.state == thing.state &&
+                    other->second.centroid_m == thing.centroid_m
+                ? 1
+                : 0;
+  }
+  return same;
 }
 
 void measure(const std::string& recording, bool isFiltered) {
@@ -75,8 +97,14 @@ void measure(const std::string& recording, bool isFiltered) {
     const Eigen::Isometry3d difference = expected[i].T_map_cam.inverse() * trajectory[i].T_map_cam;
     farthest_m = std::max(farthest_m, difference.translation().norm());
   }
+  const mapping::SemanticMap ofSystem = slam.semanticMap();
+  const mapping::SemanticMap ofBuilder = builder.semanticMap();
   std::cout << "frames: " << ofSystem_ms.size() << ", in the map: " << expected.size() << " and " << trajectory.size()
             << ", poses differ by at most " << farthest_m << " m\n"
+            << "points of the two clouds: " << pointsOf(ofSystem).size() << " and " << pointsOf(ofBuilder).size()
+            << ", the same to the last bit: " << (pointsOf(ofSystem) == pointsOf(ofBuilder) ? "yes" : "no")
+            << "; things: " << sameThings(ofSystem, ofBuilder) << " of " << ofSystem.objects.size() << " and "
+            << ofBuilder.objects.size() << " the same\n"
             << "SlamSystem: median " << medianOf(ofSystem_ms) << " ms, sum " << sumOf(ofSystem_ms) << " ms\n"
             << "map builder: median " << medianOf(ofBuilder_ms) << " ms, sum " << sumOf(ofBuilder_ms) << " ms\n"
             << "ratio: median " << medianOf(ofBuilder_ms) / medianOf(ofSystem_ms) << ", sum "
