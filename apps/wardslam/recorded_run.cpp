@@ -239,7 +239,7 @@ PictureOptions pictureOptions(const RecordedRun& run) { return {run.pictureInter
 class Execution {
  public:
   Execution(const RecordedRun& run, const InterruptionGuard& interruption)
-      : run_(run), interruption_(interruption), slam_(makeSystem()), truth_(makeTruth()), folder_(run.out) {
+      : run_(run), interruption_(interruption), slam_(makeSystem()), truth_(makeTruth()), folder_(run.out, slam_) {
     const std::string configuration = slam_.configuration();
     folder_.writeConfiguration(run.isPrivate ? pipeline::withoutFolders(configuration) : configuration);
     watch();

@@ -171,12 +171,16 @@ nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
 
 }  // namespace
 
-RunFolder::RunFolder(const std::filesystem::path& folder)
-    : folder_(makeFolder(folder)), live_(folder / "trajectory_live.txt"), frames_(folder / "frames.csv") {}
+RunFolder::RunFolder(const std::filesystem::path& folder, const pipeline::SlamSystem& slam)
+    : folder_(makeFolder(folder)),
+      live_(folder / "trajectory_live.txt"),
+      frames_(folder / "frames.csv"),
+      load_(folder / "load.csv", slam) {}
 
 void RunFolder::setStampOrigin(double origin_s) {
   stampOrigin_s_ = origin_s;
   frames_.setStampOrigin(origin_s);
+  load_.setStampOrigin(origin_s);
 }
 
 void RunFolder::writeConfiguration(const std::string& yaml) const {
@@ -185,6 +189,7 @@ void RunFolder::writeConfiguration(const std::string& yaml) const {
 
 void RunFolder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   frames_.onFrame(frame, odometry);
+  load_.onFrame(frame, odometry);
   if (!odometry.hasPose()) return;
   if (livePiece_ && *livePiece_ != odometry.piece) live_.writeComment("piece " + std::to_string(odometry.piece));
   livePiece_ = odometry.piece;
@@ -201,6 +206,7 @@ void RunFolder::finish(const RunSummary& summary) {
   core::FirstFailure failure;
   failure.attempt([&] { live_.finish(); });
   failure.attempt([&] { frames_.finish(); });
+  failure.attempt([&] { load_.finish(); });
   failure.attempt([&] { removeTrajectoriesOfPieces(folder_); });
   failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory(), stampOrigin_s_); });
   failure.attempt([&] {

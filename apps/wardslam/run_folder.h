@@ -13,6 +13,7 @@
 #include "wardslam/exchange/tum_trajectory.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/frame_table.h"
+#include "wardslam/pipeline/load_table.h"
 #include "wardslam/pipeline/run_statistics.h"
 #include "wardslam/pipeline/slam_system.h"
 #include "wardslam/pipeline/zone_watch.h"
@@ -38,11 +39,11 @@ struct RunSummary {
 /// The results of a run on disk: trajectory_live.txt (poses as they were known at the time; grows with every frame; a
 /// comment tells where another piece begins), trajectory.txt (the frames in the map, corrected by all that was learnt
 /// later), trajectory_piece_N.txt (those of pieces that are not joined to it), frames.csv (a line for every frame as it
-/// comes), config.yaml and summary.json.
+/// comes), load.csv (a line for every second: what the run takes of the computer), config.yaml and summary.json.
 class RunFolder : public pipeline::FrameObserver {
  public:
-  /// Makes the folder. Throws core::InputError when it cannot be written.
-  explicit RunFolder(const std::filesystem::path& folder);
+  /// Makes the folder. `slam` outlives this object. Throws core::InputError when the folder cannot be written.
+  RunFolder(const std::filesystem::path& folder, const pipeline::SlamSystem& slam);
 
   /// Before the first frame: stamps in the files are seconds since then (UNIX s).
   void setStampOrigin(double origin_s);
@@ -56,6 +57,7 @@ class RunFolder : public pipeline::FrameObserver {
   std::filesystem::path folder_;
   exchange::TumTrajectoryWriter live_;
   pipeline::FrameTable frames_;
+  pipeline::LoadTable load_;
   double stampOrigin_s_ = 0.0;
   std::optional<std::uint32_t> livePiece_;  ///< Of the last pose written.
   bool wasBehind_ = false;                  ///< The disk did not take all poses.

@@ -73,6 +73,7 @@
       gridLineColor: ofPage('--line'),
       axisLineColor: ofPage('--line'),
       includeZero: true,
+      connectSeparatedPoints: true,
       axes: {x: {valueFormatter: value => value.toFixed(2) + ' s'}, y: {axisLabelWidth: 48, axisLabelFormatter: short, valueFormatter: short}},
       underlayCallback: shadeLost,
       highlightCallback: (event, x, points, row) => {

@@ -37,6 +37,18 @@ TEST(Profiler, KeepsStepsApart) {
   EXPECT_NEAR(profiler.statistics().at("b").p95_ms, 2.0, 1e-6);
 }
 
+TEST(Profiler, SumsUpWithoutQuantiles) {
+  Profiler profiler;
+  profiler.add("a", milliseconds(1));
+  profiler.add("a", milliseconds(3));
+  profiler.add("b", milliseconds(2));
+  const auto totals = profiler.totals();
+  ASSERT_EQ(totals.size(), 2U);
+  EXPECT_EQ(totals.at("a").calls, 2U);
+  EXPECT_NEAR(totals.at("a").total_ms, 4.0, 1e-9);
+  EXPECT_NEAR(totals.at("b").total_ms, 2.0, 1e-9);
+}
+
 TEST(Profiler, ScopeCountsOneCall) {
   Profiler profiler;
   { const auto scope = profiler.measure("step"); }

@@ -237,6 +237,19 @@ TEST(StageInItsOwnThread, ThatIsGivenUpTellsTheTaskInWork) {
   }
 }
 
+TEST(StageInItsOwnThread, CountsWhatWaits) {
+  Stage<Worker> stage(worker(), StageThread::Own);
+  Gate gate;
+  gate.close(stage);
+  EXPECT_EQ(stage.waiting(), 0U) << "what is in work does not wait";
+  stage.post(number(1));
+  stage.post(number(2), Necessity::Optional);
+  EXPECT_EQ(stage.waiting(), 2U);
+  gate.open();
+  static_cast<void>(stage.finish());
+  EXPECT_EQ(stage.waiting(), 0U);
+}
+
 TEST(StageInItsOwnThread, SaysWhetherSomethingWaits) {
   Stage<Worker> stage(worker(), StageThread::Own);
   Gate first;

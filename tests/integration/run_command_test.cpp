@@ -61,8 +61,8 @@ TEST_F(RunCommand, WritesTrajectorySummaryAndConfiguration) {
 
   std::set<std::string> files;
   for (const auto& file : fs::directory_iterator(out)) files.insert(file.path().filename());
-  EXPECT_EQ(files, (std::set<std::string>{"config.yaml", "frames.csv", "map.wardmap", "objects.json", "summary.json",
-                                          "trajectory.txt", "trajectory_live.txt"}));
+  EXPECT_EQ(files, (std::set<std::string>{"config.yaml", "frames.csv", "load.csv", "map.wardmap", "objects.json",
+                                          "summary.json", "trajectory.txt", "trajectory_live.txt"}));
 }
 
 TEST_F(RunCommand, TheTrajectoryIsTheTruth) {

@@ -37,6 +37,16 @@ TEST(Plots, HaveARowForEveryFrame) {
   EXPECT_EQ(data.at("stride"), 1);
 }
 
+TEST(Plots, ShowWhatTheRunTookOfTheComputer) {
+  RunRecord run;
+  run.frames = {frameAt(1000.0, 800, 200, 300)};
+  run.load = {{1001.0, 30, 25.125, 2, 90.5, 3, 100.06, 12}, {1002.0, 30, 26.0, 0, 10.0, 0, 101.0, 12}};
+  const auto data = plotData(run, {}, PlanView(run, {}));
+  EXPECT_EQ(plotNamed(data, "load").at("rows"), Json::parse("[[1.0, 25.13, 45.25], [2.0, 26.0, null]]"));
+  EXPECT_EQ(plotNamed(data, "memory").at("rows"), Json::parse("[[1.0, 100.1], [2.0, 101.0]]"));
+  EXPECT_EQ(plotNamed(data, "waiting").at("rows"), Json::parse("[[1.0, 3, 12], [2.0, 0, 12]]"));
+}
+
 TEST(Plots, OfLongRunsLeaveRowsOut) {
   RunRecord run;
   for (int i = 0; i < 20001; ++i) run.frames.push_back(frameAt(i, 10, 0, 5));

@@ -18,6 +18,7 @@ class RunFolderByHand {
     write("config.yaml", "# every option\nodometry:\n  min_inliers: 20\n");
     write("trajectory.txt", way());
     write("frames.csv", frames());
+    write("load.csv", load());
     const auto map = test::makeWard();
     auto file = storage::MapFile::create(folder_.path() / "map.wardmap", {map.labels, ""});
     file.write(storage::everythingOf(map));
@@ -36,11 +37,17 @@ class RunFolderByHand {
            "900,ok,800,200,300,0,1,0\n901,ok,800,80,290,0,0,0\n902,lost,40,0,3,0,0,0\n903,ok,800,0,310,0,1,0\n";
   }
 
+  [[nodiscard]] static std::string load() {
+    return "timestamp,frames,frame_ms,keyframes,map_ms,waiting,memory_mb,open_files\n"
+           "901,2,25.5,1,120,3,101.5,12\n903,2,26.5,0,10,0,102.5,12\n";
+  }
+
   /// As if it had been killed: what it writes as it goes has its preliminary name, and no summary came.
   void kill() const {
-    for (const char* name : {"trajectory.txt", "summary.json", "frames.csv"}) remove(name);
+    for (const char* name : {"trajectory.txt", "summary.json", "frames.csv", "load.csv"}) remove(name);
     write("trajectory_live.txt.partial", way());
     write("frames.csv.partial", frames() + "904,ok,8");
+    write("load.csv.partial", load() + "904,2,2");
   }
 
  private:

@@ -57,10 +57,11 @@ TEST(RunRecord, OfAKilledRunHoldsWhatItHadWritten) {
 
 TEST(RunRecord, TellsWhatIsNotThere) {
   const RunFolderByHand folder;
-  for (const char* name : {"summary.json", "config.yaml", "frames.csv", "map.wardmap"}) folder.remove(name);
+  for (const char* name : {"summary.json", "config.yaml", "frames.csv", "load.csv", "map.wardmap"}) folder.remove(name);
   EXPECT_THAT(readRun(folder.path()).missing,
               ElementsAre(StartsWith("summary.json is not there"), StartsWith("config.yaml is not there"),
-                          StartsWith("frames.csv is not there"), StartsWith("map.wardmap is not there")));
+                          StartsWith("frames.csv is not there"), StartsWith("load.csv is not there"),
+                          StartsWith("map.wardmap is not there")));
 }
 
 TEST(RunRecord, TellsWhatIsDamagedWithoutNamingTheFolder) {
@@ -68,10 +69,11 @@ TEST(RunRecord, TellsWhatIsDamagedWithoutNamingTheFolder) {
   folder.write("summary.json", "[1, 2");
   folder.write("trajectory.txt", "900 what\n");
   folder.write("frames.csv", "what\nwhat\n");
+  folder.write("load.csv", "what\nwhat\n");
   folder.write("map.wardmap", "no map");
   const RunRecord run = readRun(folder.path());
   EXPECT_THAT(run.missing, ElementsAre(StartsWith("summary.json is damaged"), StartsWith("trajectory.txt"),
-                                       StartsWith("frames.csv"), StartsWith("map.wardmap")));
+                                       StartsWith("frames.csv"), StartsWith("load.csv"), StartsWith("map.wardmap")));
   EXPECT_TRUE(run.summary.is_object());
   EXPECT_FALSE(run.map);
 }

@@ -34,6 +34,13 @@ void Profiler::add(const std::string& step, std::chrono::steady_clock::duration 
   }
 }
 
+std::map<std::string, Profiler::Total> Profiler::totals() const {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string, Total> result;
+  for (const auto& [step, samples] : steps_) result[step] = {samples.calls, samples.total_ms};
+  return result;
+}
+
 std::map<std::string, Profiler::Statistics> Profiler::statistics() const {
   const std::lock_guard lock(mutex_);
   std::map<std::string, Statistics> result;

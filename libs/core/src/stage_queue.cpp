@@ -58,6 +58,11 @@ std::size_t StageQueue::leftOut() const {
   return leftOut_;
 }
 
+std::size_t StageQueue::waiting() const {
+  const std::lock_guard lock(mutex_);
+  return waiting_.size();
+}
+
 void StageQueue::enqueue(Waiting waiting) {
   {
     std::unique_lock lock(mutex_);

@@ -14,7 +14,8 @@ void MapFeed::update(const core::Frame& frame, const odometry::OdometryResult& o
 
 void MapFeed::apply(const odometry::MapUpdate& update) {
   if (writer_ == nullptr && update.T_map_cam.empty() && update.removedKeyframes.empty() && !update.joined) return;
-  stage_.post([update, writer = writer_](mapping::MapBuilder& builder) {
+  stage_.post([update, writer = writer_, &profiler = profiler_](mapping::MapBuilder& builder) {
+    const auto correction = profiler.measure("mapping.correct");
     builder.apply(update);
     if (writer != nullptr) writer->apply(update);
   });

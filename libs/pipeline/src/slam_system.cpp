@@ -124,7 +124,6 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   const auto timing = profiler.measure("pipeline.process");
   auto [frame, odometry] = frontEnd_.process(observation, motion);
   if (odometry.keyframe) {
-    const auto insertion = profiler.measure("graph.insert");
     insert(odometry.keyframe);
     if (canWait_) askInTurn(graphBuilding_, [](graph::Mapper&) { return true; });  // tracking goes on with what it says
   }
@@ -157,6 +156,7 @@ void SlamSystem::noteRecognition(std::uint32_t piece, double stamp_s) {
 /// A keyframe that comes while another is worked in has adjustments over the whole map end early, unless it can wait.
 void SlamSystem::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
   graphBuilding_.post([this, keyframe](graph::Mapper& mapper) {
+    const auto insertion = frontEnd_.profiler().measure("graph.insert");
     mapUpdates_.put(mapper.insert(keyframe, canWait_ ? nullptr : &graphBuilding_.isWaitedFor()));
   });
 }
@@ -195,6 +195,10 @@ core::EventCounts SlamSystem::leftOut() const {
   if (const auto views = mapBuilding_->leftOut(); views > 0) counts["mapping.view_left_out"] = views;
   if (const auto views = mapFeed_->viewsWithoutMasks(); views > 0) counts["mapping.view_without_masks"] = views;
   return counts;
+}
+
+std::size_t SlamSystem::waiting() const {
+  return graphBuilding_.waiting() + (mapBuilding_ ? mapBuilding_->waiting() : 0);
 }
 
 mapping::SemanticMap SlamSystem::semanticMap() const {

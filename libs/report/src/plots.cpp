@@ -46,6 +46,12 @@ double sharePercent(const pipeline::FrameRow& frame) {
   return rounded(100.0 * static_cast<double>(frame.dynamicKeypoints) / static_cast<double>(frame.keypoints), 10);
 }
 
+/// Nothing where there was none.
+Json mapPerKeyframe(const pipeline::LoadRow& load) {
+  if (load.keyframes == 0) return nullptr;
+  return rounded(load.map_ms / static_cast<double>(load.keyframes), 1e2);
+}
+
 }  // namespace
 
 Json plotData(const RunRecord& run, const std::vector<evaluation::ErrorAt>& errors, const PlanView& plan) {
@@ -61,6 +67,18 @@ Json plotData(const RunRecord& run, const std::vector<evaluation::ErrorAt>& erro
     plots.push_back(plot("keypoints", "Key points", "", {"found", "static", "pose rests on"},
                          writer.rows(run.frames, [](const auto& f) {
                            return Json::array({f.keypoints, f.keypoints - f.dynamicKeypoints, f.inliers});
+                         })));
+  }
+  if (!run.load.empty()) {
+    plots.push_back(plot("load", "Time per frame; of the map, per keyframe", "ms", {"frame", "map, per keyframe"},
+                         writer.rows(run.load, [](const auto& l) {
+                           return Json::array({rounded(l.frame_ms, 1e2), mapPerKeyframe(l)});
+                         })));
+    plots.push_back(plot("memory", "Memory", "MB", {"resident"},
+                         writer.rows(run.load, [](const auto& l) { return Json::array({rounded(l.memory_mb, 10)}); })));
+    plots.push_back(plot("waiting", "Waiting to be worked into the map; open files", "", {"waiting", "open files"},
+                         writer.rows(run.load, [](const auto& l) {
+                           return Json::array({l.waiting, l.openFiles});
                          })));
   }
   Json lost = Json::array();

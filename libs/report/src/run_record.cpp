@@ -49,6 +49,7 @@ class Reader {
     readConfiguration();
     readTrajectory();
     readFrames();
+    readLoad();
     readMap();
     listFolder();
     return std::move(record_);
@@ -119,6 +120,18 @@ class Reader {
     }
     attempt([&] { record_.frames = pipeline::readFrameTable(file); });
     std::stable_sort(record_.frames.begin(), record_.frames.end(),
+                     [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
+  }
+
+  void readLoad() {
+    fs::path file = folder_ / "load.csv";
+    if (!record_.isFinished) file = partial(file);
+    if (!fs::exists(file)) {
+      lack(file.filename().string() + " is not there: what the run took of the computer is not known.");
+      return;
+    }
+    attempt([&] { record_.load = pipeline::readLoadTable(file); });
+    std::stable_sort(record_.load.begin(), record_.load.end(),
                      [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
   }
 

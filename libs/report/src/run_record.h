@@ -12,6 +12,7 @@
 #include "wardslam/core/trajectory.h"
 #include "wardslam/mapping/semantic_map.h"
 #include "wardslam/pipeline/frame_table.h"
+#include "wardslam/pipeline/load_table.h"
 
 namespace wardslam::report {
 
@@ -23,6 +24,7 @@ struct RunRecord {
   core::Trajectory trajectory;                  ///< In the map.
   std::size_t unjoinedPieces = 0;               ///< Trajectories in frames of their own.
   std::vector<pipeline::FrameRow> frames;       ///< In order of time.
+  std::vector<pipeline::LoadRow> load;          ///< In order of time.
   std::optional<mapping::SemanticMap> map;      ///< With its cloud.
   building::Rooms rooms;                        ///< Of the map's floor plan.
   std::vector<std::filesystem::path> pictures;  ///< By time.

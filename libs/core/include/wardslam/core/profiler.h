@@ -47,7 +47,14 @@ class Profiler {
     return std::forward<Work>(work)();
   }
 
+  struct Total {
+    std::size_t calls = 0;
+    double total_ms = 0.0;
+  };
+
   void add(const std::string& step, std::chrono::steady_clock::duration duration);
+  /// Cheap: for who asks again and again what has been spent since.
+  [[nodiscard]] std::map<std::string, Total> totals() const;
   [[nodiscard]] std::map<std::string, Statistics> statistics() const;
 
  private:

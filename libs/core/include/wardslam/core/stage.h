@@ -44,6 +44,9 @@ class Stage {
   /// Tasks that were left out because too many waited.
   [[nodiscard]] std::size_t leftOut() const { return queue_.leftOut(); }
 
+  /// Tasks that wait; the one in work is none.
+  [[nodiscard]] std::size_t waiting() const { return queue_.waiting(); }
+
   /// Set while something waits for the task in work to end, or the stage is to be destroyed: a long task may want to
   /// end early then. Lives as long as the stage.
   [[nodiscard]] const std::atomic<bool>& isWaitedFor() const { return queue_.isWaitedFor(); }

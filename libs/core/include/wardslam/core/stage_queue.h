@@ -45,6 +45,7 @@ class StageQueue {
   void finish();
   void stop();
   [[nodiscard]] std::size_t leftOut() const;
+  [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] const std::atomic<bool>& isWaitedFor() const { return isWaitedFor_; }
 
  private:

@@ -95,6 +95,9 @@ class SlamSystem {
   /// in, and "mapping.view_without_masks", those of which nobody knew yet who is in them.
   [[nodiscard]] core::EventCounts leftOut() const;
 
+  /// Keyframes, views and corrections that wait to be worked into graph and map.
+  [[nodiscard]] std::size_t waiting() const;
+
   /// Time of the first image from which on the earlier map was recognised; of the last image, where that is found out
   /// in finish(). Nothing: it was not, or there is none.
   [[nodiscard]] std::optional<double> recognisedAt_s() const { return recognisedAt_s_; }
