@@ -114,6 +114,24 @@ TEST(DepthAlignment, PassesByWhoWalksThroughTheImage) {
   EXPECT_LT(difference(kMotion, found.T_before_now).head<3>().norm(), 0.005);
 }
 
+TEST(DepthAlignment, ACrowdLeavesEnoughBetweenIt) {
+  const Eigen::Isometry3d motion = moved({0.03, -0.015, 0.04}, {0.01, 0.025, -0.005});
+  RenderedPlanes room(RenderedPlanes::room());
+  DepthImage before = room.look(kStart, 1.0);
+  DepthImage now = room.look(motion, 1.0);
+  before.mayMove = now.mayMove = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));
+  for (const auto& [image, shift_px] : {std::pair(&before, 0), std::pair(&now, -5)}) {
+    for (const int left_px : {-80, 80, 240, 400, 560}) {  // a hundred and twenty wide, forty between
+      image->mayMove(cv::Rect(left_px + shift_px, 20, 120, 460) & cv::Rect(0, 0, 640, 480)).setTo(1);
+    }
+  }
+  ASSERT_GT(cv::mean(now.mayMove)[0], 0.7);
+  const DepthAlignment found = alignDepth(surfaceOf(now), surfaceOf(before), kStart);
+  EXPECT_GT(found.overlap, 0.25) << "as much as a pose may rest on";
+  EXPECT_LT(difference(motion, found.T_before_now).head<3>().norm(), 0.01);
+  EXPECT_LT(difference(motion, found.T_before_now).tail<3>().norm(), 0.005);
+}
+
 TEST(DepthAlignment, ARoomThatIsNotThisOneDoesNotAgree) {
   RenderedPlanes room(RenderedPlanes::room());
   RenderedPlanes shorter(RenderedPlanes::room(1.5));

@@ -45,9 +45,24 @@ TEST(DepthSurface, LeavesOutEdgesHolesAndWhatMoves) {
   EXPECT_EQ(surface.point(50, 60).z(), 0.0F) << "half wall, half pillar";
   EXPECT_NEAR(surface.point(49, 60).z(), 3.0F, 1e-4F);
   EXPECT_NEAR(surface.point(51, 60).z(), 1.5F, 1e-4F);
-  EXPECT_TRUE(surface.normal(49, 60).isZero()) << "what is beside it is another surface";
+  EXPECT_TRUE(surface.normal(49, 60).isApprox(Eigen::Vector3f(0, 0, -1), 1e-3F)) << "the pillar has no say in it";
+  EXPECT_TRUE(surface.normal(50, 60).isZero());
   EXPECT_EQ(surface.point(100, 25).z(), 0.0F) << "a hole";
   EXPECT_EQ(surface.point(125, 50).z(), 0.0F) << "something moves there";
+}
+
+TEST(DepthSurface, AStripBetweenPeopleIsASurfaceAndALineIsNone) {
+  const double half = std::sqrt(0.5);
+  test::RenderedPlanes slanted({{{-half, 0, half}, 2.0 * half}});
+  DepthImage image = slanted.look(kStart);
+  image.mayMove = cv::Mat(480, 640, CV_8UC1, cv::Scalar(1));
+  image.mayMove(cv::Rect(240, 0, 12, 480)).setTo(0);  // three squares wide
+  const DepthSurface strip(image, kCamera);
+  EXPECT_TRUE(strip.normal(61, 60).isApprox(Eigen::Vector3f(0.7071F, 0, -0.7071F), 0.01F));
+  image.mayMove(cv::Rect(244, 0, 12, 480)).setTo(1);
+  const DepthSurface line(image, kCamera);
+  EXPECT_GT(line.point(60, 60).z(), 0.0F);
+  EXPECT_TRUE(line.normal(60, 60).isZero()) << "any plane through a line fits";
 }
 
 TEST(DepthSurface, OfAnImageWithoutDepthThereIsNone) {

@@ -109,6 +109,29 @@ TEST_F(OdometryTest, IsLostWhenFeaturesVanishAndRecoversWhenTheyReturn) {
   }
 }
 
+/// What is seen beside somebody who covers one half of the image.
+core::Features halfOf(const core::Features& all, bool isRight) {
+  core::Features half;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if ((all.keypoints[i].raw_px.x > 320.0F) != isRight) continue;
+    half.keypoints.push_back(all.keypoints[i]);
+    half.descriptors.push_back(all.descriptors.row(static_cast<int>(i)));
+  }
+  return half;
+}
+
+TEST_F(OdometryTest, WhoWalksAcrossUncoversWhatTheLastImageDidNotShow) {
+  OdometryOptions noPlaces = options();
+  noPlaces.relocalisation.min_found_fraction = 1.0;  // what is lost is not found again
+  odometry_ = Odometry(noPlaces);
+  for (int image = 0; image < 20; ++image) trackImage(image);
+  const auto look = [&](int image) { return world_.look(SyntheticWorld::T_world_cam(image, kImages), kNoise); };
+  ASSERT_EQ(track(halfOf(look(20), false)).state, State::Ok);
+  const auto across = track(halfOf(look(21), true));
+  EXPECT_EQ(across.state, State::Ok);
+  EXPECT_LT(distance_m(across.T_map_cam, truth(21)), 0.01);
+}
+
 TEST_F(OdometryTest, FindsItselfNoFartherAwayThanItCanHaveGone) {
   for (int image = 0; image < kImages; ++image) trackImage(image);
   track({});

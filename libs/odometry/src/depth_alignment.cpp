@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "twist.h"
@@ -55,8 +56,12 @@ double weightOf(double off_m, double variance_m2, double spread_m) {
   return share * share / variance_m2;
 }
 
+/// As many as there are to have, of what may be a small part of the image.
 std::vector<SurfacePoint> sample(const DepthSurface& surface) {
-  const int squares = surface.rows() * surface.columns();
+  int squares = 0;
+  for (int row = 0; row < surface.rows(); ++row) {
+    for (int column = 0; column < surface.columns(); ++column) squares += surface.point(column, row).z() > 0.0F ? 1 : 0;
+  }
   const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(squares) / kMostSamples))));
   std::vector<SurfacePoint> points;
   for (int row = 0; row < surface.rows(); row += step) {
@@ -70,8 +75,25 @@ std::vector<SurfacePoint> sample(const DepthSurface& surface) {
   return points;
 }
 
+/// Normals of a surface, each worked out when it is first asked for.
+class Normals {
+ public:
+  explicit Normals(const DepthSurface& surface)
+      : surface_(surface), known_(static_cast<std::size_t>(surface.rows() * surface.columns())) {}
+
+  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector2i& square) {
+    auto& known = known_[static_cast<std::size_t>(square.y() * surface_.columns() + square.x())];
+    if (!known) known = surface_.normal(square.x(), square.y()).cast<double>();
+    return *known;
+  }
+
+ private:
+  const DepthSurface& surface_;
+  std::vector<std::optional<Eigen::Vector3d>> known_;
+};
+
 Pairs pairUp(const std::vector<SurfacePoint>& now, const core::DepthNoise& noiseNow, const DepthSurface& before,
-             const Eigen::Isometry3d& T_before_now, double limit_m) {
+             Normals& normals, const Eigen::Isometry3d& T_before_now, double limit_m) {
   Pairs found;
   for (const SurfacePoint& point : now) {
     const Eigen::Vector3d p_before_m = T_before_now * point.p_m;
@@ -81,7 +103,7 @@ Pairs pairUp(const std::vector<SurfacePoint>& now, const core::DepthNoise& noise
     if (shown_m.z() <= 0.0) continue;
     ++found.compared;
     if ((shown_m - p_before_m).norm() > limit_m + kLimitPerMetre * p_before_m.z()) continue;
-    const Eigen::Vector3d normal = before.normal(square->x(), square->y()).cast<double>();
+    const Eigen::Vector3d normal = normals.at(*square);
     const Eigen::Vector3d normal_now = T_before_now.linear().transpose() * normal;
     if (point.normal.dot(normal_now) < kSameSide) continue;
     const double a_m = sigma_m(point.p_m, normal_now, noiseNow);
@@ -146,9 +168,10 @@ DepthAlignment alignDepth(const DepthSurface& now, const DepthSurface& before,
   const std::vector<SurfacePoint> points = sample(now);
   DepthAlignment alignment;
   alignment.T_before_now = T_before_now_guess;
+  Normals normals(before);
   double limit_m = kFirstLimit_m;
   for (int round = 0; round < kMaxRounds; ++round, limit_m = std::max(kLastLimit_m, 0.5 * limit_m)) {
-    const Pairs found = pairUp(points, now.camera().depthNoise, before, alignment.T_before_now, limit_m);
+    const Pairs found = pairUp(points, now.camera().depthNoise, before, normals, alignment.T_before_now, limit_m);
     if (found.pairs.size() < kMinPairs) return {T_before_now_guess, PoseCovariance::Zero(), 6, 0.0, 0.0};
     const NormalEquations equations(found.pairs);
     const Step step = solve(equations);

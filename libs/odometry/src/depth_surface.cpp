@@ -1,5 +1,7 @@
 #include "depth_surface.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +9,9 @@ namespace wardslam::odometry {
 namespace {
 
 constexpr int kMostColumns = 160;
-constexpr int kLeastSquare_px = 4;   // smaller ones leave normals to noise
-constexpr int kReach = 2;            // squares to the points a normal is made of
+constexpr int kLeastSquare_px = 4;                       // smaller ones leave normals to noise
+constexpr int kReach = 2;                                // squares around to the points a normal is made of
+constexpr double kLeastScatter = 2.0 * kReach * kReach;  // of these, square: as of two points as far apart as can be
 constexpr double kEdge_m = 0.02;     // what depth may differ by on a slanted surface, within a square, ...
 constexpr double kEdgeShare = 0.02;  // ... the more the farther away, ...
 constexpr double kEdgeSigmas = 4.0;  // ... besides noise
@@ -45,6 +48,11 @@ float depthOf(const DepthImage& image, const cv::Rect& square, const core::Depth
   return isOne ? sum_m / static_cast<float>(measured) : 0.0F;
 }
 
+double smallerEigenvalue(const Eigen::Matrix2d& A) {
+  const double half = 0.5 * A.trace();
+  return half - std::sqrt(std::max(0.0, half * half - A.determinant()));
+}
+
 }  // namespace
 
 DepthSurface::DepthSurface(const DepthImage& image, const core::CameraModel& camera) : camera_(camera) {
@@ -70,20 +78,33 @@ DepthSurface::DepthSurface(const DepthImage& image, const core::CameraModel& cam
   }
 }
 
+/// On a plane n . p = d inverse depth is linear in where the ray goes: 1 / z = (n / d) . (p / z).
 Eigen::Vector3f DepthSurface::normal(int column, int row) const {
-  const Eigen::Vector3f none = Eigen::Vector3f::Zero();
-  if (column < kReach || row < kReach || column >= columns_ - kReach || row >= rows_ - kReach) return none;
   const Eigen::Vector3f& here = point(column, row);
-  const Eigen::Vector3f& left = point(column - kReach, row);
-  const Eigen::Vector3f& right = point(column + kReach, row);
-  const Eigen::Vector3f& above = point(column, row - kReach);
-  const Eigen::Vector3f& below = point(column, row + kReach);
+  if (here.z() <= 0.0F) return Eigen::Vector3f::Zero();
+  Eigen::Matrix3d ofRays = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d ofInverseDepths = Eigen::Vector3d::Zero();
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  int count = 0;
   const float limit_m = static_cast<float>(2 * kReach) * edge_m(here.z(), camera_.depthNoise);
-  for (const Eigen::Vector3f* other : {&here, &left, &right, &above, &below}) {
-    if (other->z() <= 0.0F || std::abs(other->z() - here.z()) > limit_m) return none;
+  for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, rows_ - 1); ++y) {
+    for (int x = std::max(column - kReach, 0); x <= std::min(column + kReach, columns_ - 1); ++x) {
+      const Eigen::Vector3f& p_m = point(x, y);
+      if (p_m.z() <= 0.0F || std::abs(p_m.z() - here.z()) > limit_m) continue;
+      const double inverseDepth = 1.0 / static_cast<double>(p_m.z());
+      const Eigen::Vector3d ray = p_m.cast<double>() * inverseDepth;
+      ofRays += ray * ray.transpose();
+      ofInverseDepths += inverseDepth * ray;
+      const Eigen::Vector2d offset(x - column, y - row);
+      sum += offset;
+      scatter += offset * offset.transpose();
+      ++count;
+    }
   }
-  const Eigen::Vector3f across = (below - above).cross(right - left);
-  return across.dot(here) > 0.0F ? Eigen::Vector3f(-across.normalized()) : across.normalized();
+  scatter -= sum * sum.transpose() / count;
+  if (smallerEigenvalue(scatter) < kLeastScatter) return Eigen::Vector3f::Zero();
+  return -ofRays.ldlt().solve(ofInverseDepths).normalized().cast<float>();
 }
 
 /// Across the surface depth is wrong by sigma * c, over a length of span / c, where c is the cosine between normal and

@@ -22,7 +22,8 @@ class DepthSurface {
   /// In the camera frame (m); z = 0: none.
   [[nodiscard]] const Eigen::Vector3f& point(int column, int row) const { return points_[indexOf(column, row)]; }
 
-  /// Of length 1, towards the camera, from the points two squares away; zero where these are not of one surface.
+  /// Of length 1, towards the camera, of the plane through the points up to two squares away that are of the same
+  /// surface; zero where these are too few, or on one line.
   [[nodiscard]] Eigen::Vector3f normal(int column, int row) const;
 
   /// How far noise of depth may turn the normal of such a surface (standard deviation, rad).

@@ -24,9 +24,10 @@ Tracking PoseTracker::trackByMotion(const TrackedImage& view, const LocalMap& ma
   Tracking tracking;
   for (const double widening : {1.0, 2.0, 4.0}) {
     tracking = search(view, map, lastSeen, T_cam_map_predicted, widening * options_.matcher.wide_radius_px);
-    if (isGood(tracking)) break;
+    if (isGood(tracking)) return tracking;
   }
-  return tracking;
+  // Who covers what the last image showed uncovers what others did.
+  return search(view, map, map.neighbourhood(lastSeen), T_cam_map_predicted, options_.matcher.wide_radius_px);
 }
 
 Tracking PoseTracker::trackNeighbourhood(const TrackedImage& view, const LocalMap& map, const Tracking& rough) const {
