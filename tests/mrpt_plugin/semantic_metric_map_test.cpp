@@ -183,6 +183,22 @@ TEST_F(SemanticMetricMap, InsertsOnlyWhatShowsSomethingNewWhereAskedTo) {
   map.insertionOptions.views = {0.1, 0.06, 1.5};
   room.insertInto(map, 4);  // a second apart
   EXPECT_THAT(map.map().keyframes, SizeIs(2));
+  const auto copy = std::dynamic_pointer_cast<CSemanticMap>(map.duplicateGetSmartPtr());
+  copy->insertObservation(*room.scan(3), AnnotatedRoom::robotPose());
+  EXPECT_THAT(copy->map().keyframes, SizeIs(2)) << "a copy knows what its original was shown last";
+}
+
+TEST_F(SemanticMetricMap, LearnsNamesWhenTheyCome) {
+  map.insertObservation(*room.scan(0), AnnotatedRoom::robotPose());  // no names with it
+  for (int image = 1; image < 4; ++image) {
+    auto semantic = AnnotatedRoom::semantic(image);
+    for (auto& [id, name] : semantic.classes) name = name == "chair" ? "recliner" : name;
+    map.insertObservation(*room.scan(image), AnnotatedRoom::robotPose());
+    map.insertObservation(semantic, AnnotatedRoom::robotPose());
+  }
+  ASSERT_THAT(map.objects(), SizeIs(1));
+  EXPECT_EQ(map.map().labels.name(map.objects().begin()->second.classId), "recliner");
+  EXPECT_THAT(map.map().keyframes, SizeIs(4)) << "and forgets nothing";
 }
 
 TEST_F(SemanticMetricMap, IsMatchedAsPointsAre) {

@@ -234,6 +234,7 @@ TEST_F(SemanticMapBuilderTest, TheSimpleMapHasPosesPointsAndWhatElseWasSeen) {
     ASSERT_EQ(points->points3D_x.size(), 54U * 40U) << "of 320 x 240 pixels every sixth";
     EXPECT_GT(points->points3D_x[1000], 1.0F) << "ahead";
     EXPECT_TRUE(entry.sf->getObservationByClass<mrpt::obs::CObservation2DRangeScan>());
+    EXPECT_EQ(entry.sf->size(), 2U) << "what came with images before is not in it";
   }
 }
 
