@@ -1,91 +1,17 @@
 #include "wardslam/odometry/pose_solver.h"
-#include "wardslam/core/rotation_vector.h"
 
-#include <ceres/ceres.h>
-
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
+#include "pose_problem.h"
+#include "wardslam/core/rotation_vector.h"
 #include "wardslam/odometry/observation_error.h"
 
 namespace wardslam::odometry {
 namespace {
-
-/// ObservationError of a point that is not moved.
-struct PoseError {
-  ObservationError error;
-  Eigen::Vector3d p_map_m;
-
-  template <class T>
-  bool operator()(const T* pose, T* residual) const {
-    const Eigen::Matrix<T, 3, 1> p_map = p_map_m.cast<T>();
-    return error(pose, p_map.data(), residual);
-  }
-};
-
-/// Where the camera is in the frame of the camera where it ought to be, in units of the standard deviation.
-struct PriorError {
-  explicit PriorError(const PosePrior& prior)
-      : predicted(toPoseVector(prior.T_cam_map)),
-        squareRootInformation(Eigen::LLT<PoseCovariance>(prior.covariance.inverse()).matrixU()) {}
-
-  template <class T>
-  bool operator()(const T* pose, T* residual) const {
-    using Vector3 = Eigen::Matrix<T, 3, 1>;
-    const Vector3 turnBack(-pose[0], -pose[1], -pose[2]);
-    const Eigen::Matrix<T, 6, 1> from = predicted.cast<T>();
-    T q_map_cam[4];
-    T q_predicted_map[4];
-    T q_predicted_cam[4];
-    ceres::AngleAxisToQuaternion(turnBack.data(), q_map_cam);
-    ceres::AngleAxisToQuaternion(from.data(), q_predicted_map);
-    ceres::QuaternionProduct(q_predicted_map, q_map_cam, q_predicted_cam);
-    Vector3 turned;
-    ceres::QuaternionRotatePoint(q_predicted_cam, pose + 3, turned.data());
-    Eigen::Matrix<T, 6, 1> error;
-    error.template head<3>() = from.template tail<3>() - turned;
-    ceres::QuaternionToAngleAxis(q_predicted_cam, error.data() + 3);
-    Eigen::Map<Eigen::Matrix<T, 6, 1>> weighted(residual);
-    weighted = squareRootInformation.cast<T>() * error;
-    return true;
-  }
-
-  PoseVector predicted;
-  PoseCovariance squareRootInformation;
-};
-
-/// 95 % of motions that are as sure as said have a smaller squared error (chi-square, 6 degrees of freedom).
-constexpr double kChiSquareOfPrior = 12.592;
-
-class ErrorModel {
- public:
-  ErrorModel(const PoseSolverOptions& options, const core::CameraModel& camera) : options_(options), camera_(camera) {}
-
-  [[nodiscard]] ceres::CostFunction* cost(const PointObservation& observation) const {
-    auto* functor = new PoseError{error(observation), observation.p_map_m};
-    if (observation.keypoint.hasDepth()) return new ceres::AutoDiffCostFunction<PoseError, 3, 6>(functor);
-    return new ceres::AutoDiffCostFunction<PoseError, 2, 6>(functor);
-  }
-
-  [[nodiscard]] bool isInlier(const PointObservation& observation, const PoseVector& pose) const {
-    return error(observation).squared(pose, observation.p_map_m) < chiSquareOf(observation.keypoint);
-  }
-
-  [[nodiscard]] bool isInFront(const PointObservation& observation, const PoseVector& pose) const {
-    return std::isfinite(error(observation).squared(pose, observation.p_map_m));
-  }
-
- private:
-  [[nodiscard]] ObservationError error(const PointObservation& observation) const {
-    return {observation.keypoint, camera_, options_.pixel_sigma_px, options_.depth_sigma_scale};
-  }
-
-  const PoseSolverOptions& options_;
-  const core::CameraModel& camera_;
-};
 
 /// d (measurement in units of its standard deviation) / d (translation, rotation vector of the camera's own motion).
 Eigen::Matrix<double, 3, 6> jacobian(const PointObservation& observation, const core::CameraModel& camera,
@@ -104,39 +30,14 @@ Eigen::Matrix<double, 3, 6> jacobian(const PointObservation& observation, const 
   return ofPoint * ofPose;
 }
 
-/// Least squares over the observations that `use` selects; `robust` bends the cost of large errors (Huber).
-void minimise(const std::vector<PointObservation>& observations, const std::vector<bool>& use, bool robust,
-              const ErrorModel& model, int maxIterations, const PosePrior* prior, PoseVector& pose) {
-  ceres::Problem problem;
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    if (!use[i]) continue;
-    const core::Keypoint& keypoint = observations[i].keypoint;
-    auto* loss = robust ? new ceres::HuberLoss(std::sqrt(chiSquareOf(keypoint))) : nullptr;
-    problem.AddResidualBlock(model.cost(observations[i]), weightedLoss(loss, keypoint), pose.data());
-  }
-  if (problem.NumResidualBlocks() < 3) return;
-  if (prior != nullptr) {
-    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<PriorError, 6, 6>(new PriorError(*prior)),
-                             new ceres::HuberLoss(std::sqrt(kChiSquareOfPrior)), pose.data());
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = maxIterations;
-  options.function_tolerance = 1e-6;
-  options.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-}
-
 /// Minimises over the observations that `use` selects, then over those that fit.
-PoseEstimate refineFrom(PoseVector pose, std::vector<bool> use, const std::vector<PointObservation>& observations,
-                        const ErrorModel& model, int maxIterations, const PosePrior* prior = nullptr) {
+PoseEstimate refineFrom(Eigen::Isometry3d T_cam_map, std::vector<bool> use, const PoseProblem& problem) {
   for (const bool robust : {true, true, false}) {
-    minimise(observations, use, robust, model, maxIterations, prior, pose);
-    for (std::size_t i = 0; i < observations.size(); ++i) use[i] = model.isInlier(observations[i], pose);
+    T_cam_map = problem.minimise(T_cam_map, use, robust);
+    use = problem.fitting(T_cam_map);
   }
   const auto inliers = static_cast<int>(std::count(use.begin(), use.end(), true));
-  return {toIsometry(pose), std::move(use), inliers};
+  return {T_cam_map, std::move(use), inliers};
 }
 
 }  // namespace
@@ -144,11 +45,8 @@ PoseEstimate refineFrom(PoseVector pose, std::vector<bool> use, const std::vecto
 PoseEstimate PoseSolver::refine(const std::vector<PointObservation>& observations, const core::CameraModel& camera,
                                 const Eigen::Isometry3d& T_cam_map_guess, const PosePrior* prior) const {
   if (observations.size() < 3) return {T_cam_map_guess, std::vector<bool>(observations.size(), false), 0};
-  const ErrorModel model(options_, camera);
-  const PoseVector pose = toPoseVector(T_cam_map_guess);
-  std::vector<bool> use;
-  for (const auto& observation : observations) use.push_back(model.isInFront(observation, pose));
-  return refineFrom(pose, std::move(use), observations, model, options_.max_iterations, prior);
+  const PoseProblem problem(observations, camera, options_, prior);
+  return refineFrom(T_cam_map_guess, problem.inFront(T_cam_map_guess), problem);
 }
 
 PoseCovariance PoseSolver::covariance(const std::vector<PointObservation>& observations,
@@ -194,14 +92,16 @@ PoseEstimate PoseSolver::solve(const std::vector<PointObservation>& observations
     pose[i] = rotation[i];
     pose[3 + i] = translation[i];
   }
+  const Eigen::Isometry3d T_cam_map = toIsometry(pose);
+  const PoseProblem problem(observations, camera, options_, nullptr);
   // Where most matches are wrong, they would pull the pose away together, robust loss or not.
-  const ErrorModel model(options_, camera);
+  const std::vector<bool> isInFront = problem.inFront(T_cam_map);
   std::vector<bool> use(observations.size(), false);
   for (const int i : agreeing) {
     const auto index = static_cast<std::size_t>(i);
-    use[index] = model.isInFront(observations[index], pose);
+    use[index] = isInFront[index];
   }
-  return refineFrom(pose, std::move(use), observations, model, options_.max_iterations);
+  return refineFrom(T_cam_map, std::move(use), problem);
 }
 
 }  // namespace wardslam::odometry
