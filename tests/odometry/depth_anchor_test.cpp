@@ -83,6 +83,31 @@ TEST_F(DepthAnchorTest, WheelsThatLieMakeItLessSureWithEveryImage) {
   EXPECT_GT(before, 0.0028) << "ten steps of a millimetre each";
 }
 
+TEST_F(DepthAnchorTest, InTheDarkItBeginsWithSurfacesAlone) {
+  int keyframes = 0;
+  for (int image = 0; image < 60; ++image) {  // 0.83 m, 0.24 rad
+    const auto result = look(image, false, room_);
+    ASSERT_EQ(result.state, State::Ok) << image;
+    EXPECT_LT(distance_m(result.T_map_cam, truth(image)), 0.02) << image;
+    keyframes += result.keyframe ? 1 : 0;
+  }
+  EXPECT_EQ(keyframes, 2) << "the first, and one half a metre on, for what the map sees from there";
+  const auto lit = look(60, true, room_);
+  ASSERT_TRUE(lit.keyframe) << "with the light come points to know";
+  EXPECT_GT(lit.keyframe->sightings.size(), 100U);
+  const auto next = look(61, true, room_);
+  EXPECT_FALSE(next.isHeldByDepth);
+  EXPECT_GT(next.inliers, 100);
+  EXPECT_LT(distance_m(next.T_map_cam, truth(61)), 0.02);
+}
+
+TEST_F(DepthAnchorTest, WhereSurfacesLeaveADirectionOpenItDoesNotBeginInTheDark) {
+  RenderedPlanes corridor(RenderedPlanes::corridor());
+  EXPECT_EQ(look(0, false, corridor).state, State::Initialising);
+  const DepthImage none;
+  EXPECT_EQ(odometry_.track(1.0, kCamera, world_.lookElsewhere(20), none).state, State::Initialising);
+}
+
 TEST_F(DepthAnchorTest, NothingHoldsACoveredLens) {
   for (int image = 0; image < 5; ++image) ASSERT_TRUE(look(image, true, room_).hasPose());
   const DepthImage covered{cv::Mat(480, 640, CV_32FC1, cv::Scalar(0)), {}};

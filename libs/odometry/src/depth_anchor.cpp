@@ -39,6 +39,13 @@ void DepthAnchor::move(const Eigen::Isometry3d& correction) {
   if (image_) image_->T_map_cam = core::rigid(correction * image_->T_map_cam);
 }
 
+bool DepthAnchor::wouldHold(const DepthImage& depth, const core::CameraModel& camera) const {
+  if (depth.depth_m.empty()) return false;
+  const DepthSurface surface(depth, camera);
+  const DepthAlignment onItself = alignDepth(surface, surface, Eigen::Isometry3d::Identity());
+  return onItself.open == 0 && onItself.overlap >= options_.min_overlap;
+}
+
 std::optional<HeldPose> DepthAnchor::hold(const DepthImage& depth, const core::CameraModel& camera,
                                           const PosePrior& predicted, const Eigen::Isometry3d& T_cam_map_start) const {
   if (!image_ || depth.depth_m.empty()) return std::nullopt;

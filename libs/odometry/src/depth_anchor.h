@@ -27,6 +27,9 @@ class DepthAnchor {
   void forget() { image_.reset(); }
   void move(const Eigen::Isometry3d& correction);
 
+  /// Whether surfaces of this image alone would tell all of the camera's motion.
+  [[nodiscard]] bool wouldHold(const DepthImage& depth, const core::CameraModel& camera) const;
+
   /// Where the camera is by what its image and the remembered one both show, and by where it was predicted, each as
   /// sure as it is: along open directions the prediction alone counts. `T_cam_map_start`: where to begin. Nothing where
   /// they do not show enough, do not fit, or the pose would be a guess.

@@ -16,6 +16,16 @@ namespace {
 /// Keyframes a mapper may lag behind; where there is none, memory stays bounded.
 constexpr std::size_t kMostAwaited = 256;
 
+/// From a keyframe whose points are not found to the next one: blur shows others in every image.
+constexpr std::uint64_t kLitFrames = 5;
+
+/// In the dark: what the camera sees now hangs on a keyframe that saw as much of it.
+bool isFar(const Eigen::Isometry3d& T_keyframe_cam) {
+  constexpr double kFar_m = 0.5;
+  constexpr double kFar_rad = 0.5;
+  return T_keyframe_cam.translation().norm() > kFar_m || Eigen::AngleAxisd(T_keyframe_cam.linear()).angle() > kFar_rad;
+}
+
 std::vector<PointId> pointsOf(const Keyframe& keyframe) {
   std::vector<PointId> points;
   for (const Sighting& sighting : keyframe.sightings) points.push_back(sighting.point);
@@ -165,7 +175,8 @@ void Odometry::Tracker::predict(const std::optional<MotionPrior>& motion) {
 
 OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Placement& placeAnew) {
   const auto newPoints = newPointCandidates(view, {});
-  if (static_cast<int>(newPoints.size()) < options_.min_initial_points) return {};
+  const bool showsPoints = static_cast<int>(newPoints.size()) >= options_.min_initial_points;
+  if (!showsPoints && !anchor_.wouldHold(view.depth, view.camera)) return {};
   if (view.prior) T_cam_map_ = view.prior->T_cam_map;
   if (hasStarted_ && placeAnew) T_cam_map_ = placeAnew(T_cam_map_.inverse()).inverse();
   state_ = State::Ok;
@@ -323,8 +334,14 @@ std::vector<std::size_t> Odometry::Tracker::newPointCandidates(const TrackedImag
 
 bool Odometry::Tracker::needsKeyframe(const TrackedImage& view, const Tracking& tracking, std::size_t newPoints) const {
   const KeyframeOptions& keyframes = options_.keyframes;
-  if (static_cast<int>(newPoints) < keyframes.min_new_points || tracking.isGuess) return false;
-  const bool isLate = view.frame - lastKeyframe_.frame >= static_cast<std::uint64_t>(keyframes.max_frame_gap);
+  if (tracking.isGuess) return false;
+  const std::uint64_t gap = view.frame - lastKeyframe_.frame;
+  if (tracking.isHeldByDepth && isFar(lastKeyframe_.T_map_cam.inverse() * T_cam_map_.inverse())) return true;
+  const bool showsPointsAtLast = tracking.isHeldByDepth && lastKeyframe_.mostTracked == 0 && gap >= kLitFrames &&
+                                 static_cast<int>(newPoints) >= options_.min_initial_points;
+  if (showsPointsAtLast) return true;
+  if (static_cast<int>(newPoints) < keyframes.min_new_points) return false;
+  const bool isLate = gap >= static_cast<std::uint64_t>(keyframes.max_frame_gap);
   const bool hasLeft = static_cast<double>(tracking.inliers.size()) <
                        keyframes.min_tracked_fraction * static_cast<double>(lastKeyframe_.mostTracked);
   return isLate || hasLeft;
