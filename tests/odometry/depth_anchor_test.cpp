@@ -108,6 +108,14 @@ TEST_F(DepthAnchorTest, WhereSurfacesLeaveADirectionOpenItDoesNotBeginInTheDark)
   EXPECT_EQ(odometry_.track(1.0, kCamera, world_.lookElsewhere(20), none).state, State::Initialising);
 }
 
+TEST_F(DepthAnchorTest, AfterAGapSurfacesAloneAreNotBelieved) {
+  for (int image = 0; image < 5; ++image) ASSERT_TRUE(look(image, true, room_).hasPose());
+  const auto soon = odometry_.track(0.9, kCamera, world_.lookElsewhere(20), room_.look(truth(9), 1.0));
+  EXPECT_TRUE(soon.isHeldByDepth) << "it cannot have gone far";
+  const auto late = odometry_.track(2.6, kCamera, world_.lookElsewhere(20), room_.look(truth(80), 1.0));
+  EXPECT_EQ(late.state, State::Lost) << "the floor lies a metre on, too";
+}
+
 TEST_F(DepthAnchorTest, NothingHoldsACoveredLens) {
   for (int image = 0; image < 5; ++image) ASSERT_TRUE(look(image, true, room_).hasPose());
   const DepthImage covered{cv::Mat(480, 640, CV_32FC1, cv::Scalar(0)), {}};

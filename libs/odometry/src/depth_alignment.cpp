@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "twist.h"
@@ -15,7 +14,7 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr int kMaxRounds = 12;
-constexpr int kMostSamples = 2000;  // points that are aligned, about
+constexpr int kMostSamples = 1000;  // points that are aligned, about
 constexpr int kMinPairs = 100;
 constexpr double kFirstLimit_m = 0.24;   // pairs farther apart are none: half of it with every round, ...
 constexpr double kLastLimit_m = 0.03;    // ... down to this, ...
@@ -23,8 +22,8 @@ constexpr double kLimitPerMetre = 0.02;  // ... the more the farther away
 constexpr double kSameSide = 0.7;        // cosine between the normals of a pair
 constexpr double kRobustSigmas = 2.0;
 constexpr double kSignalToNoise = 4.0;    // what noise alone could turn to a direction, times this, leaves it open
-constexpr double kPointsPerOpinion = 20;  // neighbours are wrong together: quantisation, calibration, uneven walls
-constexpr double kStill = 1e-5;           // m, and rad
+constexpr double kPointsPerOpinion = 10;  // neighbours are wrong together: quantisation, calibration, uneven walls
+constexpr double kStill = 1e-4;           // m, and rad
 
 struct SurfacePoint {
   Eigen::Vector3d p_m;
@@ -75,25 +74,8 @@ std::vector<SurfacePoint> sample(const DepthSurface& surface) {
   return points;
 }
 
-/// Normals of a surface, each worked out when it is first asked for.
-class Normals {
- public:
-  explicit Normals(const DepthSurface& surface)
-      : surface_(surface), known_(static_cast<std::size_t>(surface.rows() * surface.columns())) {}
-
-  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector2i& square) {
-    auto& known = known_[static_cast<std::size_t>(square.y() * surface_.columns() + square.x())];
-    if (!known) known = surface_.normal(square.x(), square.y()).cast<double>();
-    return *known;
-  }
-
- private:
-  const DepthSurface& surface_;
-  std::vector<std::optional<Eigen::Vector3d>> known_;
-};
-
 Pairs pairUp(const std::vector<SurfacePoint>& now, const core::DepthNoise& noiseNow, const DepthSurface& before,
-             Normals& normals, const Eigen::Isometry3d& T_before_now, double limit_m) {
+             const Eigen::Isometry3d& T_before_now, double limit_m) {
   Pairs found;
   for (const SurfacePoint& point : now) {
     const Eigen::Vector3d p_before_m = T_before_now * point.p_m;
@@ -103,7 +85,7 @@ Pairs pairUp(const std::vector<SurfacePoint>& now, const core::DepthNoise& noise
     if (shown_m.z() <= 0.0) continue;
     ++found.compared;
     if ((shown_m - p_before_m).norm() > limit_m + kLimitPerMetre * p_before_m.z()) continue;
-    const Eigen::Vector3d normal = normals.at(*square);
+    const Eigen::Vector3d normal = before.normal(square->x(), square->y()).cast<double>();
     const Eigen::Vector3d normal_now = T_before_now.linear().transpose() * normal;
     if (point.normal.dot(normal_now) < kSameSide) continue;
     const double a_m = sigma_m(point.p_m, normal_now, noiseNow);
@@ -164,14 +146,13 @@ Step solve(const NormalEquations& equations) {
 }  // namespace
 
 DepthAlignment alignDepth(const DepthSurface& now, const DepthSurface& before,
-                          const Eigen::Isometry3d& T_before_now_guess) {
+                          const Eigen::Isometry3d& T_before_now_guess, AlignmentStart start) {
   const std::vector<SurfacePoint> points = sample(now);
   DepthAlignment alignment;
   alignment.T_before_now = T_before_now_guess;
-  Normals normals(before);
-  double limit_m = kFirstLimit_m;
+  double limit_m = start == AlignmentStart::IsNear ? kLastLimit_m : kFirstLimit_m;
   for (int round = 0; round < kMaxRounds; ++round, limit_m = std::max(kLastLimit_m, 0.5 * limit_m)) {
-    const Pairs found = pairUp(points, now.camera().depthNoise, before, normals, alignment.T_before_now, limit_m);
+    const Pairs found = pairUp(points, now.camera().depthNoise, before, alignment.T_before_now, limit_m);
     if (found.pairs.size() < kMinPairs) return {T_before_now_guess, PoseCovariance::Zero(), 6, 0.0, 0.0};
     const NormalEquations equations(found.pairs);
     const Step step = solve(equations);

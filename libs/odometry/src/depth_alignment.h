@@ -18,11 +18,18 @@ struct DepthAlignment {
   double agreement = 0.0;  ///< ... and of those only whose place that image shows.
 };
 
+/// How far off a guess may be.
+enum class AlignmentStart {
+  MayBeFar,  ///< A prediction: decimetres.
+  IsNear,    ///< A pose that points tell: centimetres.
+};
+
 /// Point-to-plane alignment of `now` to `before`, by projection; each pair weighs by the noise of both depths across
 /// the surface. Directions to which surfaces are turned no more than noise could turn them are found from the normal
 /// equations and left as guessed (Zhang, Kaess, Singh: "On degeneracy of optimization-based state estimation problems",
 /// ICRA 2016).
 [[nodiscard]] DepthAlignment alignDepth(const DepthSurface& now, const DepthSurface& before,
-                                        const Eigen::Isometry3d& T_before_now_guess);
+                                        const Eigen::Isometry3d& T_before_now_guess,
+                                        AlignmentStart start = AlignmentStart::MayBeFar);
 
 }  // namespace wardslam::odometry

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wardslam::odometry {
 namespace {
@@ -23,9 +24,13 @@ float edge_m(float depth_m, const core::DepthNoise& noise) {
   return static_cast<float>(kEdge_m + kEdgeShare * z_m + kEdgeSigmas * noise.sigma_m(z_m));
 }
 
-bool isCovered(const DepthImage& image, const cv::Rect& square) {
-  if (image.mayMove.size() != image.depth_m.size()) return false;
-  return cv::countNonZero(image.mayMove(square)) > 0;
+bool isCovered(const cv::Mat& mayMove, const cv::Rect& square) {
+  for (int y = square.y; y < square.y + square.height; ++y) {
+    const auto* moves = mayMove.ptr<std::uint8_t>(y);
+    if (std::any_of(moves + square.x, moves + square.x + square.width, [](std::uint8_t m) { return m != 0; }))
+      return true;
+  }
+  return false;
 }
 
 /// Mean depth of a square (m); 0 where it is not one surface.
@@ -55,31 +60,51 @@ double smallerEigenvalue(const Eigen::Matrix2d& A) {
 
 }  // namespace
 
-DepthSurface::DepthSurface(const DepthImage& image, const core::CameraModel& camera) : camera_(camera) {
-  if (image.depth_m.empty()) return;
-  square_px_ = std::max(kLeastSquare_px, image.depth_m.cols / kMostColumns);
-  columns_ = image.depth_m.cols / square_px_;
-  rows_ = image.depth_m.rows / square_px_;
+SquareRays::SquareRays(const core::CameraModel& ofCamera, const cv::Size& size_px) : camera(ofCamera) {
+  square_px = std::max(kLeastSquare_px, size_px.width / kMostColumns);
+  columns = size_px.width / square_px;
+  rows = size_px.height / square_px;
   std::vector<cv::Point2f> centres_px;
-  std::vector<float> depths_m;
-  const float half_px = 0.5F * static_cast<float>(square_px_ - 1);
-  for (int row = 0; row < rows_; ++row) {
-    for (int column = 0; column < columns_; ++column) {
-      const cv::Rect square(column * square_px_, row * square_px_, square_px_, square_px_);
-      depths_m.push_back(isCovered(image, square) ? 0.0F : depthOf(image, square, camera.depthNoise));
-      centres_px.emplace_back(static_cast<float>(square.x) + half_px, static_cast<float>(square.y) + half_px);
+  const float half_px = 0.5F * static_cast<float>(square_px - 1);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      centres_px.emplace_back(static_cast<float>(column * square_px) + half_px,
+                              static_cast<float>(row * square_px) + half_px);
     }
   }
-  const auto undistorted_px = camera.undistort(centres_px);
-  points_.reserve(depths_m.size());
-  for (std::size_t i = 0; i < depths_m.size(); ++i) {
-    const Eigen::Vector2d px(undistorted_px[i].x, undistorted_px[i].y);
-    points_.push_back(camera.unproject(px, static_cast<double>(depths_m[i])).cast<float>());
+  rays.reserve(centres_px.size());
+  for (const cv::Point2f& px : camera.undistort(centres_px)) {
+    rays.push_back(camera.unproject(Eigen::Vector2d(px.x, px.y), 1.0).cast<float>());
   }
 }
 
+DepthSurface::DepthSurface(const DepthImage& image, const core::CameraModel& camera)
+    : DepthSurface(image, std::make_shared<SquareRays>(camera, image.depth_m.size())) {}
+
+DepthSurface::DepthSurface(const DepthImage& image, std::shared_ptr<const SquareRays> squares)
+    : squares_(std::move(squares)) {
+  const int side_px = squares_->square_px;
+  const bool mayMove = image.mayMove.size() == image.depth_m.size();
+  points_.reserve(squares_->rays.size());
+  for (int row = 0; row < rows(); ++row) {
+    for (int column = 0; column < columns(); ++column) {
+      const cv::Rect square(column * side_px, row * side_px, side_px, side_px);
+      const bool isLeftOut = mayMove && isCovered(image.mayMove, square);
+      const float depth_m = isLeftOut ? 0.0F : depthOf(image, square, camera().depthNoise);
+      points_.push_back(depth_m * squares_->rays[points_.size()]);
+    }
+  }
+  normals_.resize(points_.size());
+}
+
+const Eigen::Vector3f& DepthSurface::normal(int column, int row) const {
+  auto& known = normals_[indexOf(column, row)];
+  if (!known) known = planeNormal(column, row);
+  return *known;
+}
+
 /// On a plane n . p = d inverse depth is linear in where the ray goes: 1 / z = (n / d) . (p / z).
-Eigen::Vector3f DepthSurface::normal(int column, int row) const {
+Eigen::Vector3f DepthSurface::planeNormal(int column, int row) const {
   const Eigen::Vector3f& here = point(column, row);
   if (here.z() <= 0.0F) return Eigen::Vector3f::Zero();
   Eigen::Matrix3d ofRays = Eigen::Matrix3d::Zero();
@@ -87,9 +112,9 @@ Eigen::Vector3f DepthSurface::normal(int column, int row) const {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
   int count = 0;
-  const float limit_m = static_cast<float>(2 * kReach) * edge_m(here.z(), camera_.depthNoise);
-  for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, rows_ - 1); ++y) {
-    for (int x = std::max(column - kReach, 0); x <= std::min(column + kReach, columns_ - 1); ++x) {
+  const float limit_m = static_cast<float>(2 * kReach) * edge_m(here.z(), camera().depthNoise);
+  for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, rows() - 1); ++y) {
+    for (int x = std::max(column - kReach, 0); x <= std::min(column + kReach, columns() - 1); ++x) {
       const Eigen::Vector3f& p_m = point(x, y);
       if (p_m.z() <= 0.0F || std::abs(p_m.z() - here.z()) > limit_m) continue;
       const double inverseDepth = 1.0 / static_cast<double>(p_m.z());
@@ -110,17 +135,17 @@ Eigen::Vector3f DepthSurface::normal(int column, int row) const {
 /// Across the surface depth is wrong by sigma * c, over a length of span / c, where c is the cosine between normal and
 /// ray.
 double DepthSurface::normalSigma_rad(const Eigen::Vector3d& p_cam_m, const Eigen::Vector3d& normal) const {
-  const double span_m = 2.0 * kReach * square_px_ * p_cam_m.z() / camera_.fx_px;
-  const double sigma_m = std::sqrt(2.0) * camera_.depthNoise.sigma_m(p_cam_m.z()) / kAveraged;
+  const double span_m = 2.0 * kReach * squares_->square_px * p_cam_m.z() / camera().fx_px;
+  const double sigma_m = std::sqrt(2.0) * camera().depthNoise.sigma_m(p_cam_m.z()) / kAveraged;
   const double c = normal.dot(p_cam_m) / p_cam_m.norm();
   return c * c * sigma_m / span_m;
 }
 
 std::optional<Eigen::Vector2i> DepthSurface::squareOf(const Eigen::Vector3d& p_cam_m) const {
-  const auto raw_px = camera_.seenAt(p_cam_m);
+  const auto raw_px = camera().seenAt(p_cam_m);
   if (!raw_px) return std::nullopt;
-  const Eigen::Vector2i square((raw_px->array() + 0.5).cast<int>() / square_px_);
-  if (square.x() >= columns_ || square.y() >= rows_) return std::nullopt;
+  const Eigen::Vector2i square((raw_px->array() + 0.5).cast<int>() / squares_->square_px);
+  if (square.x() >= columns() || square.y() >= rows()) return std::nullopt;
   return square;
 }
 

@@ -82,6 +82,7 @@ class Odometry::Tracker {
     predict(motion);
     shutter_.begin(camera);
     TrackedImage view{stamp_s, camera, features, shutter_.rectified(features, camera), depth, frame_++, predicted_};
+    anchor_.see(depth, camera);
     if (state_ == State::Initialising) return initialise(view, placeAnew);
     const Tracking tracking = find(view);
     const bool isFound = poseTracker_.isGood(tracking) || tracking.isHeldByDepth;
@@ -115,8 +116,8 @@ class Odometry::Tracker {
   [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
                                                               const core::Keypoint& keypoint) const;
   [[nodiscard]] PosePrior expected(const TrackedImage& view) const;
-  [[nodiscard]] Tracking find(TrackedImage& view) const;
-  [[nodiscard]] Tracking findNear(TrackedImage& view, const PosePrior& expected) const;
+  [[nodiscard]] Tracking find(TrackedImage& view);
+  [[nodiscard]] Tracking findNear(TrackedImage& view, const PosePrior& expected);
   [[nodiscard]] bool isWithinReach(const TrackedImage& view, const Tracking& tracking) const;
   Tracking rectify(TrackedImage& view, const Tracking& tracking);
   OdometryResult accept(const TrackedImage& view, const Tracking& tracking);
@@ -176,7 +177,7 @@ void Odometry::Tracker::predict(const std::optional<MotionPrior>& motion) {
 OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Placement& placeAnew) {
   const auto newPoints = newPointCandidates(view, {});
   const bool showsPoints = static_cast<int>(newPoints.size()) >= options_.min_initial_points;
-  if (!showsPoints && !anchor_.wouldHold(view.depth, view.camera)) return {};
+  if (!showsPoints && !anchor_.wouldHold()) return {};
   if (view.prior) T_cam_map_ = view.prior->T_cam_map;
   if (hasStarted_ && placeAnew) T_cam_map_ = placeAnew(T_cam_map_.inverse()).inverse();
   state_ = State::Ok;
@@ -186,7 +187,7 @@ OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Pla
   velocity_.forget();
   covariance_ = PoseCovariance::Zero();  // of a piece of its own, which begins here
   isHeld_ = false;
-  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse(), covariance_);
+  anchor_.remember(T_cam_map_.inverse(), covariance_);
   OdometryResult begun = result({}, insertKeyframe(view, {}, newPoints));
   begun.covariance = covariance_;
   return begun;
@@ -199,7 +200,7 @@ PosePrior Odometry::Tracker::expected(const TrackedImage& view) const {
   return {core::rigid(way.T_previous_now.inverse() * T_cam_map_), way.covariance};
 }
 
-Tracking Odometry::Tracker::find(TrackedImage& view) const {
+Tracking Odometry::Tracker::find(TrackedImage& view) {
   if (state_ == State::Ok || view.prior) {
     const Tracking tracking = findNear(view, expected(view));
     if (poseTracker_.isGood(tracking) || tracking.isHeldByDepth) return tracking;
@@ -209,15 +210,17 @@ Tracking Odometry::Tracker::find(TrackedImage& view) const {
   return tracking;
 }
 
-/// By key points; where they are few, surfaces are one more measurement of the pose, and where they are too few, the
-/// only one.
-Tracking Odometry::Tracker::findNear(TrackedImage& view, const PosePrior& expected) const {
+/// By key points and surfaces, each as sure as it is; where key points are too few, by surfaces alone.
+Tracking Odometry::Tracker::findNear(TrackedImage& view, const PosePrior& expected) {
   const Tracking byPoints = poseTracker_.track(view, map_, lastSeen_, expected.T_cam_map);
-  if (static_cast<int>(byPoints.inliers.size()) >= options_.depth_alignment.below_inliers) return byPoints;
   const bool isGood = poseTracker_.isGood(byPoints);
-  const auto held = anchor_.hold(view.depth, view.camera, expected, isGood ? byPoints.T_cam_map : expected.T_cam_map);
+  if (!isGood && worstSigma_m(expected.covariance) > options_.depth_alignment.max_start_sigma_m) return byPoints;
+  const bool areMany = static_cast<int>(byPoints.inliers.size()) >= options_.depth_alignment.below_inliers;
+  const auto held = anchor_.hold(expected, isGood ? byPoints.T_cam_map : expected.T_cam_map,
+                                 areMany ? AlignmentStart::IsNear : AlignmentStart::MayBeFar);
   if (!held) return byPoints;
   const auto others = std::exchange(view.prior, held->pose);
+  if (areMany) return poseTracker_.trackAgain(view, map_, byPoints);
   Tracking byBoth = poseTracker_.trackBesideDepth(view, map_, lastSeen_, held->pose.T_cam_map);
   if (isGood && byBoth.isHeldByDepth) {  // points know better than a pose at which they are not found
     view.prior = others;
@@ -267,7 +270,7 @@ OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Trackin
   const bool isFoundAgain = !wasOk || (isHeld_ && !tracking.isHeldByDepth);
   isHeld_ = tracking.isHeldByDepth;
   if (isFoundAgain) anchor_.forget();  // where that stood was less sure
-  anchor_.remember(view.depth, view.camera, T_cam_map_.inverse(), covarianceIfHeld());
+  anchor_.remember(T_cam_map_.inverse(), covarianceIfHeld());
   lastTracked_s_ = view.stamp_s;
   state_ = State::Ok;
   framesLost_ = 0;

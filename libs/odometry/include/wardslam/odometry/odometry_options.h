@@ -111,12 +111,13 @@ struct DepthAlignmentOptions {
   double min_overlap = 0.25;
   double min_agreement = 0.5;
   double max_sigma_m = 0.3;
+  double max_start_sigma_m = 0.15;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("below_inliers", self.below_inliers, {0, 100000}, "count",
-          "matched points: with fewer, the surfaces of depth images help, and hold the pose alone where there are too "
-          "few");
+          "matched points: with fewer, the surfaces of depth images lead the search for points, and hold the pose alone "
+          "where there are too few; with more they are one more measurement");
     visit("anchor_distance", self.anchor_distance_m, {0.01, 5.0}, "m", "between images that others are aligned to");
     visit("anchor_angle", self.anchor_angle_rad, {0.01, 3.0}, "rad", "likewise");
     visit("min_overlap", self.min_overlap, {0.0, 1.0}, "",
@@ -125,6 +126,8 @@ struct DepthAlignmentOptions {
           "of the surfaces whose place it shows, what must be there: people who move are not");
     visit("max_sigma", self.max_sigma_m, {0.001, 10.0}, "m",
           "standard deviation of a pose; less sure is lost (along a bare corridor the last speed leads, not for long)");
+    visit("max_start_sigma", self.max_start_sigma_m, {0.001, 10.0}, "m",
+          "and of the prediction that surfaces alone begin with: after a gap others lie where these would");
   }
 };
 
