@@ -112,8 +112,8 @@ TEST_F(DepthAnchorTest, AfterAGapSurfacesAloneAreNotBelieved) {
   for (int image = 0; image < 5; ++image) ASSERT_TRUE(look(image, true, room_).hasPose());
   const auto soon = odometry_.track(0.9, kCamera, world_.lookElsewhere(20), room_.look(truth(9), 1.0));
   EXPECT_TRUE(soon.isHeldByDepth) << "it cannot have gone far";
-  const auto late = odometry_.track(2.6, kCamera, world_.lookElsewhere(20), room_.look(truth(80), 1.0));
-  EXPECT_EQ(late.state, State::Lost) << "the floor lies a metre on, too";
+  const auto late = odometry_.track(2.1, kCamera, world_.lookElsewhere(20), room_.look(truth(12), 1.0));
+  EXPECT_EQ(late.state, State::Lost) << "it may have gone a metre, and floor and walls lie there, too";
 }
 
 TEST_F(DepthAnchorTest, NothingHoldsACoveredLens) {
