@@ -140,6 +140,8 @@ TEST_F(EvalCommand, PrintsJson) {
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_NEAR(json.at("ate").at("mean").get<double>(), 0.2, 1e-12);
   EXPECT_EQ(json.at("ate").at("pairs"), 4);
+  EXPECT_NEAR(json.at("ate_sim3").at("scale").get<double>(), 2.4 / 2.9, 1e-6) << "arms of 1.1 and 1.3 where 1 is true";
+  EXPECT_NEAR(json.at("ate_sim3").at("max").get<double>(), 1.0 - 1.1 * 2.4 / 2.9, 1e-6);
   EXPECT_NEAR(json.at("coverage").get<double>(), 1.0, 1e-12);
   EXPECT_EQ(json.at("rpe").at("pairs"), 0);
   EXPECT_TRUE(json.at("rpe").at("rotation_deg_per_s").at("rmse").is_null()) << "too short for a figure per second";

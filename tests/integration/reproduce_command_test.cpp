@@ -1,0 +1,187 @@
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli_test_support.h"
+#include "room_recording.h"
+#include "support/test_server.h"
+
+namespace wardslam {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+using Arguments = std::vector<std::string>;
+
+const fs::path kData = fs::path(WARDSLAM_SHARED_DIR) / "data";
+
+class ReproduceCommand : public ::testing::Test {
+ protected:
+  [[nodiscard]] Arguments argumentsOf(const fs::path& plan, const Arguments& more = {}) const {
+    Arguments arguments = {"reproduce", plan, "--data", room.path().parent_path(), "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  [[nodiscard]] test::CommandResult reproduce(const std::string& yaml, const Arguments& more = {}) const {
+    return test::runProgram("wardslam", argumentsOf(folder.write("plan.yaml", yaml), more));
+  }
+  /// A plan with one sequence that is there and one that is not.
+  [[nodiscard]] std::string plan(const std::string& more = {}) const {
+    return more +
+           "variants:\n  - {name: without, filter: \"off\"}\n  - {name: ours}\nsequences:\n  - {name: room, folder: " +
+           room.path().filename().string() + ", masks: masks}\n  - {name: elsewhere, folder: not_here_at_all}\n";
+  }
+  [[nodiscard]] fs::path cell(const std::string& name) const { return out / "cells" / "room" / name; }
+  [[nodiscard]] std::string tables() const { return test::readText(out / "tables.md"); }
+
+  test::TemporaryFolder folder;
+  test::RoomRecording room{6};
+  const fs::path out = folder.path() / "out";
+};
+
+TEST_F(ReproduceCommand, WritesTablesAndSaysWhatIsMissing) {
+  const auto result = reproduce(plan("title: Rooms\nrepetitions: 2\n"));
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out, tables());
+  EXPECT_THAT(tables(), StartsWith("# Rooms\n"));
+  EXPECT_THAT(tables(),
+              AllOf(HasSubstr("4 of 8 runs are done, 4 cannot be"), HasSubstr("elsewhere: missing, looked for in "),
+                    HasSubstr("Table 1: "), HasSubstr("Table 2: "), HasSubstr("Table 3: "), HasSubstr("Table 4: "),
+                    HasSubstr("Table 7: ")));
+  const auto evaluation = nlohmann::json::parse(test::readText(cell("without/0/result.json"))).at("evaluation");
+  char rmse[32];
+  std::snprintf(rmse, sizeof rmse, "%.6f", evaluation.at("ate").at("rmse").get<double>());
+  EXPECT_THAT(test::readText(out / "figures.csv"), HasSubstr("\nroom,without,ate_rmse_se3,m,"));
+  EXPECT_THAT(test::readText(out / "figures.csv"), HasSubstr(rmse)) << "that of the run";
+  EXPECT_THAT(test::readText(cell("ours/1/run/config.yaml")), HasSubstr("key_points: 1520"));
+  EXPECT_THAT(test::readText(cell("ours/0/run/config.yaml")), HasSubstr("key_points: 1500"));
+  EXPECT_THAT(test::readText(out / "table_2.csv"),
+              AllOf(StartsWith("Sequence,without SE(3),without Sim(3),ours SE(3),ours Sim(3)\nroom,0.0"),
+                    HasSubstr("\nelsewhere,missing,missing,missing,missing\n")));
+}
+
+TEST_F(ReproduceCommand, DoesNotRunAgainWhatIsFinished) {
+  ASSERT_EQ(reproduce(plan()).exitCode, 0);
+  const fs::path kept = cell("without/0/run/summary.json");
+  const fs::path changed = cell("ours/0/run/summary.json");
+  const auto keptAt = fs::last_write_time(kept);
+  const auto changedAt = fs::last_write_time(changed);
+  fs::remove(cell("ours/0/result.json"));
+  ASSERT_EQ(reproduce(plan()).exitCode, 0);
+  EXPECT_EQ(fs::last_write_time(kept), keptAt);
+  EXPECT_NE(fs::last_write_time(changed), changedAt) << "it was not finished";
+
+  ASSERT_EQ(reproduce(plan("max_frames: 4\n")).exitCode, 0);
+  EXPECT_NE(fs::last_write_time(kept), keptAt) << "fewer images are another run";
+  const auto shorterAt = fs::last_write_time(kept);
+  room.write("groundtruth.txt", test::readText(room.groundTruth()) + "5000 0 0 0 0 0 0 1\n");
+  ASSERT_EQ(reproduce(plan("max_frames: 4\n")).exitCode, 0);
+  EXPECT_NE(fs::last_write_time(kept), shorterAt) << "another truth is another figure";
+}
+
+TEST_F(ReproduceCommand, AnInterruptionKeepsWhatIsFinishedAndLeavesNobodyBehind) {
+  const test::RoomRecording endless(6, 20000);
+  const std::string yaml =
+      plan() + "  - {name: endless, folder: " + endless.path().filename().string() + ", masks: masks}\n";
+  const fs::path file = folder.write("plan.yaml", yaml);
+  test::RunningProgram program("wardslam", argumentsOf(file, {"--jobs", "2"}));
+  const fs::path live = out / "cells/endless/ours/0/run/trajectory_live.txt.partial";
+  const auto begun = [&] { return fs::exists(live) && fs::exists(cell("ours/0/result.json")); };
+  for (int i = 0; i < 6000 && !begun(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(begun());
+  program.send(SIGTERM);
+  EXPECT_EQ(program.wait().exitCode, 0);
+  EXPECT_FALSE(fs::exists(live)) << "the runs under way have ended";
+  EXPECT_THAT(tables(), HasSubstr("2 of 6 runs are done"));
+  EXPECT_FALSE(fs::exists(out / "cells/endless/ours/0/result.json")) << "half a run is no result";
+}
+
+TEST_F(ReproduceCommand, ARunThatFailsIsToldAndTheOthersGoOn) {
+  const fs::path broken = folder.path() / "broken";
+  fs::create_directories(broken);
+  folder.write("broken/groundtruth.txt", "1 0 0 0 0 0 0 1\n");
+  fs::create_directory_symlink(broken, room.path() / "broken");
+  const auto result =
+      reproduce("variants: [{name: without, filter: \"off\"}]\nsequences:\n  - {name: broken, folder: " +
+                room.path().filename().string() +
+                "/broken}\n  - {name: room, folder: " + room.path().filename().string() + "}\n");
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(tables(), HasSubstr("- broken, without, repetition 0: wardslam: "));
+  EXPECT_TRUE(fs::exists(cell("without/0/result.json")));
+}
+
+TEST_F(ReproduceCommand, RefusesABadPlanBeforeAnythingIsRun) {
+  const auto expectRefused = [&](const std::string& yaml, const std::string& part) {
+    const auto result = reproduce(yaml);
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_THAT(result.err, HasSubstr(part));
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_FALSE(fs::exists(out / "cells"));
+  };
+  expectRefused("repetition: 2\n" + plan(), "plan.yaml:1: 'repetition': unknown key; did you mean 'repetitions'?");
+  expectRefused(plan() + "  - {name: x, camera: none.yaml}\n  - {name: y, folder: " + room.path().filename().string() +
+                    ", camera: none.yaml}\n",
+                "none.yaml");
+  const auto none = test::runProgram("wardslam", {"reproduce", "no_such_plan.yaml", "--out", out});
+  EXPECT_EQ(none.exitCode, 1);
+  EXPECT_THAT(none.err, HasSubstr("no_such_plan.yaml"));
+}
+
+TEST_F(ReproduceCommand, PlansThatComeWithTheProgramAreReadWhole) {
+  const test::TemporaryFolder empty;
+  for (const char* name : {"tum_fr3.yaml", "bonn.yaml", "sample.yaml"}) {
+    const auto result = test::runProgram("wardslam", {"reproduce", name, "--data", empty.path(), "--out", out / name});
+    EXPECT_EQ(result.exitCode, 0) << name << ": " << result.err;
+    EXPECT_THAT(result.out, HasSubstr("0 of ")) << name;
+  }
+  const std::string ours = test::readText(out / "tum_fr3.yaml" / "table_2.csv");
+  EXPECT_THAT(ours, HasSubstr("fr3-walking-half,0.1252,0.0489,0.0285,0.3116,0.0923")) << "the paper's Table 2";
+  EXPECT_THAT(ours, HasSubstr("missing"));
+  EXPECT_THAT(test::readText(out / "bonn.yaml" / "table_2.csv"), HasSubstr("bonn-crowd,"));
+}
+
+TEST_F(ReproduceCommand, OfflineTakesOneSentence) {
+  const auto result = reproduce(
+      "variants: [{name: without, filter: \"off\"}]\nsequences:\n"
+      "  - {name: a, folder: not_here_a, fetch: {url: 'http://127.0.0.1:1/a.tgz'}}\n"
+      "  - {name: b, folder: not_here_b, fetch: {url: 'http://127.0.0.1:1/b.zip'}}\n",
+      {"--fetch"});
+  EXPECT_EQ(result.exitCode, 0) << "missing is no error";
+  EXPECT_THAT(result.err, AllOf(HasSubstr("is this computer offline?"), Not(HasSubstr("b.zip"))));
+  EXPECT_THAT(result.out, HasSubstr("a: missing"));
+}
+
+TEST(ReproduceSample, ShowsThatTheFiltersDoWhatTheyAreFor) {
+  if (!fs::exists(kData / "ward_walking")) GTEST_SKIP() << "not here: " << (kData / "ward_walking");
+  const test::TemporaryFolder folder;
+  const auto result =
+      test::runProgram("wardslam", {"reproduce", "sample.yaml", "--data", kData, "--out", folder.path() / "out"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("24 of 24 runs are done."), HasSubstr("Table 5: "), HasSubstr("Table 6: ")));
+  double off = 0.0;
+  double ours = 0.0;
+  std::istringstream lines(test::readText(folder.path() / "out" / "figures.csv"));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(cells, word, ',');) words.push_back(word);
+    if (words.at(0) != "rpy_walk" || words.at(2) != "ate_rmse_se3") continue;
+    if (words.at(1) == "filter off") off = std::stod(words.at(4));
+    if (words.at(1) == "ours") ours = std::stod(words.at(4));
+  }
+  EXPECT_GT(off, 0.05) << "the man who walks close by pulls the camera along";
+  EXPECT_LT(ours, 0.02);
+}
+
+}  // namespace
+}  // namespace wardslam
