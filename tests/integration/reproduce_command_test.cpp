@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
-#include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -159,6 +161,83 @@ TEST_F(ReproduceCommand, OfflineTakesOneSentence) {
   EXPECT_EQ(result.exitCode, 0) << "missing is no error";
   EXPECT_THAT(result.err, AllOf(HasSubstr("is this computer offline?"), Not(HasSubstr("b.zip"))));
   EXPECT_THAT(result.out, HasSubstr("a: missing"));
+}
+
+/// A folder as an archive, as sites of benchmarks have them.
+std::string archiveOf(const fs::path& folder, const fs::path& scratch) {
+  const fs::path archive = scratch / "sequence.tgz";
+  const std::string command = "tar -czhf '" + archive.string() + "' -C '" + folder.parent_path().string() + "' '" +
+                              folder.filename().string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return test::readText(archive);
+}
+
+class ReproduceFetch : public ReproduceCommand {
+ protected:
+  ReproduceFetch() { server_.add("room.tgz", archiveOf(room.path(), folder.path())); }
+  [[nodiscard]] std::string plan(const std::string& more = {}) const {
+    return "max_frames: 3\nvariants: [{name: without, filter: \"off\"}]\nsequences:\n  - {name: room, folder: fetched, "
+           "fetch: {url: '" +
+           server_.url("room.tgz") + "'" + more + "}}\n";
+  }
+  [[nodiscard]] test::CommandResult fetch(const std::string& yaml, const Arguments& more = {"--fetch"}) const {
+    Arguments arguments = {"reproduce", folder.write("plan.yaml", yaml), "--data", data(), "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return test::runProgram("wardslam", arguments);
+  }
+  [[nodiscard]] fs::path data() const { return folder.path() / "data"; }
+
+  test::TestServer server_;
+};
+
+TEST_F(ReproduceFetch, GetsWhatIsMissingOnRequestOnlyAndOnce) {
+  EXPECT_THAT(fetch(plan(), {}).out, HasSubstr("room: missing"));
+  EXPECT_TRUE(server_.requests().empty());
+  const auto result = fetch(plan());
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("1 of 1 runs are done."), Not(HasSubstr("missing"))));
+  EXPECT_TRUE(fs::exists(data() / "fetched" / "rgb.txt"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(data()), fs::directory_iterator()), 1) << "no archive, no scraps";
+  const std::size_t requests = server_.requests().size();
+  EXPECT_EQ(fetch(plan()).exitCode, 0);
+  EXPECT_EQ(server_.requests().size(), requests);
+}
+
+TEST_F(ReproduceFetch, GoesOnWithWhatWasDownloaded) {
+  const std::string whole = test::readText(folder.path() / "sequence.tgz");
+  folder.write("data/room.tgz.partial", whole.substr(0, 1000));
+  const auto result = fetch(plan(", size_bytes: " + std::to_string(whole.size())));
+  EXPECT_THAT(result.out, HasSubstr("1 of 1 runs are done.")) << result.err;
+  EXPECT_EQ(server_.requests(), Arguments{"bytes=1000-"});
+}
+
+TEST_F(ReproduceFetch, DoesNotTakeWhatIsNotWhatItShouldBe) {
+  const auto refused = [&](const std::string& more, const std::string& part) {
+    const auto result = fetch(plan(more));
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.err, HasSubstr(part));
+    EXPECT_THAT(result.out, HasSubstr("room: missing"));
+    EXPECT_TRUE(fs::is_empty(data())) << "nothing of it stays";
+  };
+  refused(", size_bytes: 7", "where room.tgz has 7");
+  refused(", sha256: " + std::string(64, 'a'), "sha256");
+  server_.add("room.tgz", "no archive at all");
+  refused("", "is no whole archive");
+}
+
+TEST_F(ReproduceCommand, RendersWhatIsAbsent) {
+  const std::string yaml =
+      "max_frames: 3\nvariants: [{name: ours}]\nsequences:\n  - {name: ward, folder: ward, masks: "
+      "../ward_labels/masks, "
+      "render: --scene ward --width 160 --height 120 --rate 4 --seconds 2}\n";
+  const Arguments arguments = {"reproduce", folder.write("plan.yaml", yaml), "--data", folder.path() / "data", "--out",
+                               out};
+  const auto result = test::runProgram("wardslam", arguments);
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("ward: is rendered by rawlog-synth --scene ward"));
+  EXPECT_THAT(result.out, HasSubstr("1 of 1 runs are done."));
+  EXPECT_FALSE(fs::exists(folder.path() / "data/ward.partial"));
+  EXPECT_EQ(test::runProgram("wardslam", arguments).err, "") << "once";
 }
 
 TEST(ReproduceSample, ShowsThatTheFiltersDoWhatTheyAreFor) {
