@@ -204,11 +204,12 @@ TEST(CommandLine, HelpAndVersionAreNoErrors) {
 TEST(CommandLine, WithoutACommandItListsThem) {
   const auto none = test::runProgram("wardslam", {});
   EXPECT_EQ(none.exitCode, 2);
-  EXPECT_THAT(none.err, StartsWith("wardslam: a command is required: run, report, sweep, eval, "));
+  EXPECT_THAT(none.err, StartsWith("wardslam: a command is required: run, report, sweep, reproduce, eval, "));
   const auto unknown = test::runProgram("wardslam", {"evaluate", "--json"});
   EXPECT_EQ(unknown.exitCode, 2);
-  EXPECT_THAT(unknown.err,
-              StartsWith("wardslam: unknown command 'evaluate'; the commands are run, report, sweep, eval, "));
+  EXPECT_THAT(
+      unknown.err,
+      StartsWith("wardslam: unknown command 'evaluate'; the commands are run, report, sweep, reproduce, eval, "));
   const auto option = test::runProgram("wardslam", {"--versoin"});
   EXPECT_EQ(option.exitCode, 2);
   EXPECT_THAT(option.err, HasSubstr("unknown option '--versoin'; did you mean '--version'?"));
