@@ -141,7 +141,7 @@ TEST_F(ReproduceCommand, RefusesABadPlanBeforeAnythingIsRun) {
 
 TEST_F(ReproduceCommand, PlansThatComeWithTheProgramAreReadWhole) {
   const test::TemporaryFolder empty;
-  for (const char* name : {"tum_fr3.yaml", "bonn.yaml", "sample.yaml"}) {
+  for (const char* name : {"tum_fr3.yaml", "bonn.yaml", "sample.yaml", "match_outliers.yaml"}) {
     const auto result = test::runProgram("wardslam", {"reproduce", name, "--data", empty.path(), "--out", out / name});
     EXPECT_EQ(result.exitCode, 0) << name << ": " << result.err;
     EXPECT_THAT(result.out, HasSubstr("0 of ")) << name;
