@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include "wardslam/core/errors.h"
 
@@ -78,12 +79,12 @@ void ChildProcesses::askToEnd() const {
 }
 
 int runToEnd(const std::string& program, const std::vector<std::string>& arguments, const fs::path& out,
-             const fs::path& err) {
+             const fs::path& err, const InterruptionGuard& interruption) {
   ChildProcesses processes;
   (void)processes.start(program, arguments, out, err);
-  while (true) {
+  for (bool isAsked = false; true; std::this_thread::sleep_for(std::chrono::milliseconds(20))) {
     if (const auto ended = processes.reap()) return ended->exitCode;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    if (interruption.requested() && !std::exchange(isAsked, true)) processes.askToEnd();
   }
 }
 

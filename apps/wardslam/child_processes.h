@@ -5,8 +5,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "support/interruption.h"
 
 namespace wardslam::apps {
 
@@ -40,9 +41,10 @@ class ChildProcesses {
   std::vector<pid_t> processes_;
 };
 
-/// To its end; for short programs. Exit code as of EndedProcess.
+/// To its end, or until it has ended because it was asked to, on an interruption. Exit code as of EndedProcess.
 [[nodiscard]] int runToEnd(const std::string& program, const std::vector<std::string>& arguments,
-                           const std::filesystem::path& out, const std::filesystem::path& err);
+                           const std::filesystem::path& out, const std::filesystem::path& err,
+                           const InterruptionGuard& interruption);
 
 /// The last line of a file, "" where there is none: what our programs say when they fail is one sentence, the last.
 [[nodiscard]] std::string lastLine(const std::filesystem::path& file);

@@ -51,13 +51,14 @@ void moveIntoPlace(const fs::path& workshop, const Sequence& sequence, const fs:
   fs::remove_all(workshop);
 }
 
-void render(const Sequence& sequence, const fs::path& data) {
+void render(const Sequence& sequence, const fs::path& data, const InterruptionGuard& interruption) {
   std::cerr << "wardslam: " << sequence.name << ": is rendered by rawlog-synth " << sequence.render << "\n";
   const fs::path workshop = emptyWorkshop(data, sequence.folder);
   auto arguments = wordsOf(sequence.render);
   arguments.insert(arguments.end(), {"--tum", "-o", (workshop / "sequence").string()});
   const std::string program = core::findProgram("rawlog-synth").string();
-  const int exitCode = runToEnd(program, arguments, workshop / "out.txt", workshop / "err.txt");
+  const int exitCode = runToEnd(program, arguments, workshop / "out.txt", workshop / "err.txt", interruption);
+  if (interruption.requested()) return;
   if (exitCode == 127) throw core::InputError(program + ": cannot be started; it renders '" + sequence.name + "'");
   if (exitCode != 0) {
     throw core::InputError(sequence.name + ": rawlog-synth fails: " + lastLine(workshop / "err.txt"));
@@ -75,7 +76,8 @@ fs::path contentsOf(const fs::path& unpacked) {
 }
 
 /// Both check the checksums that are in every archive.
-void unpack(const fs::path& archive, const Sequence& sequence, const fs::path& data) {
+void unpack(const fs::path& archive, const Sequence& sequence, const fs::path& data,
+            const InterruptionGuard& interruption) {
   const fs::path workshop = emptyWorkshop(data, sequence.folder);
   const fs::path unpacked = workshop / "unpacked";
   fs::create_directories(unpacked);
@@ -83,7 +85,8 @@ void unpack(const fs::path& archive, const Sequence& sequence, const fs::path& d
   const std::string program = isZip ? "unzip" : "tar";
   const std::vector<std::string> arguments = isZip ? std::vector<std::string>{"-q", archive, "-d", unpacked}
                                                    : std::vector<std::string>{"-xzf", archive, "-C", unpacked};
-  const int exitCode = runToEnd(program, arguments, workshop / "out.txt", workshop / "err.txt");
+  const int exitCode = runToEnd(program, arguments, workshop / "out.txt", workshop / "err.txt", interruption);
+  if (interruption.requested()) return;
   if (exitCode == 127)
     throw core::InputError(program + ": is not installed (package " + program + "); it unpacks " + archive.string());
   if (exitCode != 0) {
@@ -126,7 +129,7 @@ void fetch(const Sequence& sequence, const fs::path& data, const InterruptionGua
     fs::remove(archive);
     throw;
   }
-  unpack(archive, sequence, data);
+  unpack(archive, sequence, data, interruption);
 }
 
 }  // namespace
@@ -134,7 +137,7 @@ void fetch(const Sequence& sequence, const fs::path& data, const InterruptionGua
 void renderAbsent(const Plan& plan, const fs::path& data, const InterruptionGuard& interruption) {
   for (const Sequence& sequence : plan.sequences) {
     if (interruption.requested()) return;
-    if (!sequence.render.empty() && isAbsent(sequence, data)) render(sequence, data);
+    if (!sequence.render.empty() && isAbsent(sequence, data)) render(sequence, data, interruption);
   }
 }
 

@@ -163,6 +163,23 @@ TEST_F(ReproduceCommand, OfflineTakesOneSentence) {
   EXPECT_THAT(result.out, HasSubstr("a: missing"));
 }
 
+TEST_F(ReproduceCommand, AnInterruptionEndsRendering) {
+  const std::string yaml =
+      "variants: [{name: without, filter: \"off\"}]\nsequences:\n  - {name: ward, render: --scene ward --seconds "
+      "3600}\n";
+  test::RunningProgram program(
+      "wardslam", {"reproduce", folder.write("plan.yaml", yaml), "--data", folder.path() / "data", "--out", out});
+  const fs::path begun = folder.path() / "data/ward.partial/sequence";
+  for (int i = 0; i < 6000 && !fs::exists(begun); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(fs::exists(begun));
+  program.send(SIGTERM);
+  const auto result = program.wait();
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.err, Not(HasSubstr("fails")));
+  EXPECT_THAT(result.out, HasSubstr("ward: missing"));
+  EXPECT_FALSE(fs::exists(folder.path() / "data/ward")) << "half a recording is none";
+}
+
 /// A folder as an archive, as sites of benchmarks have them.
 std::string archiveOf(const fs::path& folder, const fs::path& scratch) {
   const fs::path archive = scratch / "sequence.tgz";
