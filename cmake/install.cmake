@@ -14,4 +14,4 @@ install(FILES ${PROJECT_BINARY_DIR}/wardslam-config.cmake ${PROJECT_BINARY_DIR}/
   DESTINATION ${package_dir})
 install(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/wardslam)
 install(FILES share/models.yaml DESTINATION ${CMAKE_INSTALL_DATADIR}/wardslam)
-install(DIRECTORY share/networks share/report DESTINATION ${CMAKE_INSTALL_DATADIR}/wardslam)
+install(DIRECTORY share/networks share/report share/reproduction DESTINATION ${CMAKE_INSTALL_DATADIR}/wardslam)

@@ -95,12 +95,6 @@ class Transfer {
 /// One sentence about a transfer that did not end well.
 std::string explain(CURLcode result, const Transfer& transfer, const std::string& url, const fs::path& file) {
   switch (result) {
-    case CURLE_COULDNT_RESOLVE_HOST:
-    case CURLE_COULDNT_RESOLVE_PROXY:
-    case CURLE_COULDNT_CONNECT:
-      return url + ": cannot be reached (" + transfer.detail(result) +
-             "); is this computer offline? Another one can fetch the file from there, and `wardslam models verify` "
-             "checks a copy";
     case CURLE_ABORTED_BY_CALLBACK:
       return url + ": interrupted; the same command goes on from here";
     case CURLE_WRITE_ERROR:
@@ -108,6 +102,11 @@ std::string explain(CURLcode result, const Transfer& transfer, const std::string
     default:
       return url + ": the download broke off (" + transfer.detail(result) + "); try the same command again";
   }
+}
+
+bool isUnreachable(CURLcode result) {
+  return result == CURLE_COULDNT_RESOLVE_HOST || result == CURLE_COULDNT_RESOLVE_PROXY ||
+         result == CURLE_COULDNT_CONNECT;
 }
 
 }  // namespace
@@ -124,8 +123,11 @@ void download(const std::string& url, const fs::path& file, const DownloadObserv
   }
   if (fs::file_size(file) == 0) fs::remove(file);
   if (transfer.status() >= 400) {
-    throw core::InputError(url + ": the server answers " + std::to_string(transfer.status()) +
-                           "; look at the home page that `wardslam models list` gives for a new address");
+    throw core::InputError(url + ": the server answers " + std::to_string(transfer.status()) + "; has the file moved?");
+  }
+  if (isUnreachable(result)) {
+    throw Unreachable(url + ": cannot be reached (" + transfer.detail(result) +
+                      "); is this computer offline? Another one can fetch the file from there");
   }
   if (result != CURLE_OK) throw core::InputError(explain(result, transfer, url, file));
 }

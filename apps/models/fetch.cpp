@@ -28,6 +28,15 @@ Verification accept(const ModelFile& wanted, const fs::path& partial, const fs::
   }
 }
 
+/// Tells what can be done about it here.
+void downloadModel(const std::string& url, const fs::path& partial, const DownloadObserver& observer) {
+  try {
+    download(url, partial, observer);
+  } catch (const Unreachable& error) {
+    throw core::InputError(std::string(error.what()) + ", and `wardslam models verify` checks a copy");
+  }
+}
+
 }  // namespace
 
 Verification verifyFile(const ModelFile& expected, const fs::path& file) {
@@ -58,7 +67,7 @@ Fetched fetchFile(const ModelFile& wanted, const fs::path& folder, const Downloa
   const fs::path partial = folder / (wanted.name + ".partial");
   if (!wanted.checksum) fs::remove(partial);
   const bool isComplete = wanted.size_bytes && fs::exists(partial) && fs::file_size(partial) == *wanted.size_bytes;
-  if (!isComplete) download(wanted.url, partial, observer);
+  if (!isComplete) downloadModel(wanted.url, partial, observer);
   return {file, accept(wanted, partial, file), false};
 }
 

@@ -33,6 +33,7 @@ struct EvalArguments {
 
 struct Evaluation {
   evaluation::AbsoluteTrajectoryError ate;
+  evaluation::AbsoluteTrajectoryError scaled;  ///< With the scale that fits best.
   double coverage = 0.0;
   evaluation::RelativePoseError rpe;
 };
@@ -81,6 +82,7 @@ Evaluation evaluate(const EvalArguments& arguments) {
   const auto [begin_s, end_s] = recordingSpan(arguments.groundTruth, trajectories);
   try {
     return {evaluation::absoluteTrajectoryError(groundTruth, trajectory),
+            evaluation::absoluteTrajectoryError(groundTruth, trajectory, evaluation::Alignment::Similarity),
             evaluation::coverage(trajectory, begin_s, end_s), evaluation::relativePoseError(groundTruth, trajectory)};
   } catch (const core::InputError& error) {
     throw core::InputError(arguments.groundTruth.string() + " and " + arguments.trajectory.string() + ": " +
@@ -98,6 +100,8 @@ void printJson(std::ostream& out, const Evaluation& result) {
   nlohmann::ordered_json json;
   json["ate"] = toJson(result.ate.translation_m);
   json["ate"]["pairs"] = result.ate.translation_m.samples;
+  json["ate_sim3"] = toJson(result.scaled.translation_m);
+  json["ate_sim3"]["scale"] = result.scaled.scale;
   json["coverage"] = result.coverage;
   json["rpe"]["translation_m_per_s"] = toJson(result.rpe.translation_m);
   json["rpe"]["rotation_deg_per_s"] = toJson(result.rpe.rotation_deg);

@@ -10,6 +10,7 @@
 #include "map_command.h"
 #include "models_command.h"
 #include "report_command.h"
+#include "reproduce_command.h"
 #include "run_command.h"
 #include "support/command_line.h"
 #include "support/program.h"
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
     addRunCommand(app);
     addReportCommand(app);
     addSweepCommand(app);
+    addReproduceCommand(app);
     addEvalCommand(app);
     addEvalObjectsCommand(app);
     addEvalFloorCommand(app);

@@ -74,6 +74,32 @@ TEST(AbsoluteTrajectoryError, DoesNotCorrectTheScale) {
   EXPECT_NEAR(error.max, 1.0, 1e-12);
 }
 
+TEST(AbsoluteTrajectoryError, CorrectsTheScaleWhereThatIsAskedFor) {
+  auto twiceAsLarge = moved(kSomewhere.inverse(), through(kCross));
+  for (auto& pose : twiceAsLarge) pose.T_map_cam.translation() *= 2.0;
+  const auto error = absoluteTrajectoryError(through(kCross), twiceAsLarge, Alignment::Similarity);
+  EXPECT_NEAR(error.scale, 0.5, 1e-12);
+  EXPECT_LT(error.translation_m.max, 1e-12);
+  EXPECT_NEAR(error.T_groundtruth_estimate.linear().determinant(), 1.0, 1e-12) << "the scale is told apart";
+
+  // Truth p = ±1 along x and y, estimate ±1.1 and ±1.3: least squares of s (1.1, 1.3) against (1, 1) is
+  // s = 2.4 / (1.21 + 1.69), which leaves 1 - 1.1 s and 1.3 s - 1.
+  const double scale = 2.4 / 2.9;
+  const auto stretched = absoluteTrajectoryError(through(kCross), through(kStretched), Alignment::Similarity);
+  EXPECT_NEAR(stretched.scale, scale, 1e-12);
+  EXPECT_NEAR(stretched.translation_m.max, 1.0 - 1.1 * scale, 1e-12);
+  EXPECT_NEAR(stretched.translation_m.min, 1.3 * scale - 1.0, 1e-12);
+  EXPECT_LT(stretched.translation_m.rmse,
+            absoluteTrajectoryError(through(kCross), through(kStretched)).translation_m.rmse);
+}
+
+TEST(AbsoluteTrajectoryError, AnEstimateThatStandsStillHasNoScale) {
+  const auto still = through(std::vector(4, Eigen::Vector3d(1, 2, 3)));
+  const auto error = absoluteTrajectoryError(through(kCross), still, Alignment::Similarity);
+  EXPECT_EQ(error.scale, 1.0);
+  EXPECT_NEAR(error.translation_m.rmse, 1.0, 1e-9);
+}
+
 TEST(AbsoluteTrajectoryError, DoesNotMirror) {
   const std::vector<Eigen::Vector3d> corners = {{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 4}};
   auto mirrored = through(corners);

@@ -42,6 +42,8 @@ cv::Mat sectors(int size, float turnedBy_rad) {
 
 bool equal(const cv::Mat& a, const cv::Mat& b) { return a.size() == b.size() && cv::countNonZero(a != b) == 0; }
 
+int cellsThatDiffer(const cv::Mat& a, const cv::Mat& b) { return cv::countNonZero(a != b); }
+
 TEST(SemanticDescriptor, IsTheUprightPatchAroundAnUnturnedKeyPoint) {
   // In the spirit of Fig. 3: a key point on a bed (60) with a nurse (1) beside it and background (0).
   const cv::Mat classes = (cv::Mat_<uchar>(7, 7) <<  //
@@ -81,7 +83,7 @@ TEST(SemanticDescriptor, DoesNotChangeWhenTheImageTurnsByAQuarter) {
     const auto before = describeSemantics(classes, keypointAt(static_cast<float>(x), static_cast<float>(y)), 21);
     const auto after =
         describeSemantics(turned, keypointAt(static_cast<float>(59 - y), static_cast<float>(x), kPi / 2), 21);
-    EXPECT_EQ(semanticDistance(before, after), 0) << x << ", " << y;
+    EXPECT_EQ(cellsThatDiffer(before, after), 0) << x << ", " << y;
   }
 }
 
@@ -91,9 +93,9 @@ TEST(SemanticDescriptor, HardlyChangesWhenTheImageTurnsByAnyAngle) {
   const cv::Mat upright = describeSemantics(sectors(101, 0.0F), keypointAt(50, 50), n);
   for (float angle = -3.1F; angle < 3.1F; angle += 0.2F) {
     const cv::Mat image = sectors(101, angle);
-    EXPECT_LE(semanticDistance(upright, describeSemantics(image, keypointAt(50, 50, angle), n)), kFew) << angle;
+    EXPECT_LE(cellsThatDiffer(upright, describeSemantics(image, keypointAt(50, 50, angle), n)), kFew) << angle;
     if (std::abs(angle) > 0.3F) {
-      EXPECT_GT(semanticDistance(upright, describeSemantics(image, keypointAt(50, 50), n)), kFew)
+      EXPECT_GT(cellsThatDiffer(upright, describeSemantics(image, keypointAt(50, 50), n)), kFew)
           << "unless turned with it, at " << angle;
     }
   }
@@ -186,8 +188,9 @@ TEST(SemanticDescriptors, AreTheDescriptors) {
   }
 }
 
-TEST(SemanticDistance, OfThePapersExampleIsTwo) {
-  // Fig. 4. The two tables differ in one cell of the first row; the second difference is the centre, P and P'.
+TEST(SemanticDescriptors, OfThePapersExampleDifferInTwoCells) {
+  // Fig. 4, by the functions that matching calls. The two tables differ in one cell of the first row; the second
+  // difference is the centre, P and P'.
   const cv::Mat p = (cv::Mat_<uchar>(5, 5) <<  //
                          1,
                      1, 1, 3, 3,     //
@@ -198,21 +201,11 @@ TEST(SemanticDistance, OfThePapersExampleIsTwo) {
   cv::Mat q = p.clone();
   q.at<uchar>(0, 2) = 3;
   q.at<uchar>(2, 2) = 9;
-  EXPECT_EQ(semanticDistance(p, q), 2);
-  EXPECT_EQ(semanticDistance(q, p), 2);
-  EXPECT_EQ(semanticDistance(p, p), 0);
-}
-
-TEST(SemanticDistance, CountsCellsNotHowFarTheIdsAreApart) {
-  const cv::Mat zeros(21, 21, CV_8UC1, cv::Scalar(0));
-  EXPECT_EQ(semanticDistance(zeros, cv::Mat(21, 21, CV_8UC1, cv::Scalar(1))), 441);
-  EXPECT_EQ(semanticDistance(zeros, cv::Mat(21, 21, CV_8UC1, cv::Scalar(255))), 441);
-}
-
-TEST(SemanticDistance, RefusesDescriptorsOfDifferentSize) {
-  const cv::Mat five(5, 5, CV_8UC1, cv::Scalar(0));
-  const cv::Mat seven(7, 7, CV_8UC1, cv::Scalar(0));
-  EXPECT_THROW(static_cast<void>(semanticDistance(five, seven)), cv::Exception);
+  const auto ofP = SemanticDescriptors(p, 5).of(keypointAt(2, 2));
+  const auto ofQ = SemanticDescriptors(q, 5).of(keypointAt(2, 2));
+  EXPECT_EQ(core::differenceOf(ofP, ofQ), 2.0 / 25.0);
+  EXPECT_EQ(core::differenceOf(ofQ, ofP), 2.0 / 25.0);
+  EXPECT_EQ(core::differenceOf(ofP, ofP), 0.0);
 }
 
 }  // namespace

@@ -140,6 +140,8 @@ TEST_F(EvalCommand, PrintsJson) {
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_NEAR(json.at("ate").at("mean").get<double>(), 0.2, 1e-12);
   EXPECT_EQ(json.at("ate").at("pairs"), 4);
+  EXPECT_NEAR(json.at("ate_sim3").at("scale").get<double>(), 2.4 / 2.9, 1e-6) << "arms of 1.1 and 1.3 where 1 is true";
+  EXPECT_NEAR(json.at("ate_sim3").at("max").get<double>(), 1.0 - 1.1 * 2.4 / 2.9, 1e-6);
   EXPECT_NEAR(json.at("coverage").get<double>(), 1.0, 1e-12);
   EXPECT_EQ(json.at("rpe").at("pairs"), 0);
   EXPECT_TRUE(json.at("rpe").at("rotation_deg_per_s").at("rmse").is_null()) << "too short for a figure per second";
@@ -202,11 +204,12 @@ TEST(CommandLine, HelpAndVersionAreNoErrors) {
 TEST(CommandLine, WithoutACommandItListsThem) {
   const auto none = test::runProgram("wardslam", {});
   EXPECT_EQ(none.exitCode, 2);
-  EXPECT_THAT(none.err, StartsWith("wardslam: a command is required: run, report, sweep, eval, "));
+  EXPECT_THAT(none.err, StartsWith("wardslam: a command is required: run, report, sweep, reproduce, eval, "));
   const auto unknown = test::runProgram("wardslam", {"evaluate", "--json"});
   EXPECT_EQ(unknown.exitCode, 2);
-  EXPECT_THAT(unknown.err,
-              StartsWith("wardslam: unknown command 'evaluate'; the commands are run, report, sweep, eval, "));
+  EXPECT_THAT(
+      unknown.err,
+      StartsWith("wardslam: unknown command 'evaluate'; the commands are run, report, sweep, reproduce, eval, "));
   const auto option = test::runProgram("wardslam", {"--versoin"});
   EXPECT_EQ(option.exitCode, 2);
   EXPECT_THAT(option.err, HasSubstr("unknown option '--versoin'; did you mean '--version'?"));

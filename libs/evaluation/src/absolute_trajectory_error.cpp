@@ -1,5 +1,6 @@
 #include "wardslam/evaluation/absolute_trajectory_error.h"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -25,9 +26,26 @@ void requireTwo(const std::vector<PosePair>& pairs, const core::Trajectory& grou
                          timeSpan(estimate) + "); are both of the same recording?");
 }
 
+/// An estimate that stands still has no scale that would make it fit better.
+double scaleOf(const Eigen::Matrix4d& similarity) {
+  const double scale = std::cbrt(similarity.topLeftCorner<3, 3>().determinant());
+  return std::isfinite(scale) && scale > 0.0 ? scale : 1.0;
+}
+
+/// estimated -> true positions, one a column.
+void align(const Eigen::Matrix3Xd& estimated, const Eigen::Matrix3Xd& truth, Alignment alignment,
+           AbsoluteTrajectoryError& error) {
+  if (alignment == Alignment::Similarity) {
+    error.scale = scaleOf(Eigen::umeyama(estimated, truth, /*with_scaling=*/true));
+  }
+  error.T_groundtruth_estimate.matrix() =
+      Eigen::umeyama(Eigen::Matrix3Xd(error.scale * estimated), truth, /*with_scaling=*/false);
+}
+
 }  // namespace
 
-AbsoluteTrajectoryError absoluteTrajectoryError(const core::Trajectory& groundTruth, const core::Trajectory& estimate) {
+AbsoluteTrajectoryError absoluteTrajectoryError(const core::Trajectory& groundTruth, const core::Trajectory& estimate,
+                                                Alignment alignment) {
   const std::vector<PosePair> pairs = associate(groundTruth, estimate);
   requireTwo(pairs, groundTruth, estimate);
 
@@ -40,9 +58,9 @@ AbsoluteTrajectoryError absoluteTrajectoryError(const core::Trajectory& groundTr
   }
 
   AbsoluteTrajectoryError error;
-  error.T_groundtruth_estimate.matrix() = Eigen::umeyama(estimatedPositions, truePositions, /*with_scaling=*/false);
+  align(estimatedPositions, truePositions, alignment, error);
   const Eigen::VectorXd distances_m =
-      (error.T_groundtruth_estimate * estimatedPositions - truePositions).colwise().norm();
+      (error.T_groundtruth_estimate * (error.scale * estimatedPositions) - truePositions).colwise().norm();
   error.translation_m = summarise({distances_m.begin(), distances_m.end()});
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     error.errors.push_back({estimate[pairs[i].estimate].stamp_s, distances_m(static_cast<Eigen::Index>(i))});

@@ -89,9 +89,4 @@ core::SemanticDescriptor SemanticDescriptors::of(const core::Keypoint& keypoint)
   return cells;
 }
 
-int semanticDistance(const cv::Mat& a, const cv::Mat& b) {
-  CV_Assert(a.type() == CV_8UC1 && b.type() == CV_8UC1 && a.size() == b.size());
-  return cv::countNonZero(a != b);
-}
-
 }  // namespace wardslam::features

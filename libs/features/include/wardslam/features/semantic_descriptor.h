@@ -17,12 +17,9 @@ namespace wardslam::features {
 /// The descriptors of many key points at once: row i (n² columns, the patch row by row) belongs to keypoints[i].
 [[nodiscard]] cv::Mat describeSemantics(const cv::Mat& classIds, const std::vector<core::Keypoint>& keypoints, int n);
 
-/// Number of cells in which two descriptors of equal size differ (P6). Eq. 6 as printed counts *equal* cells; the
-/// paper's own example and its use as an outlier test need the count of differing ones.
-[[nodiscard]] int semanticDistance(const cv::Mat& a, const cv::Mat& b);
-
 /// The descriptors of an image's key points, each read out of the class image only when somebody compares it: making
-/// this costs nothing, whatever n.
+/// this costs nothing, whatever n. What compares them is core::differenceOf() (P6): it counts cells that differ, as the
+/// paper's example and its use as an outlier test need, where Eq. 6 as printed counts *equal* ones.
 class SemanticDescriptors : public core::SemanticDescriptorSource {
  public:
   /// `classIds`, `n`: as above. Keeps a reference to the image, which must not change any more.
