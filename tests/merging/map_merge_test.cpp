@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "merging/furnished_maps.h"
 #include "merging/meeting_maps.h"
 #include "support/complaint.h"
 
@@ -78,6 +79,31 @@ TEST(MapMergeTest, ZonesOfAllMapsAreInIt) {
   const auto zones = storage::MapFile::open(maps.file("all.wardmap")).read().zones;
   ASSERT_EQ(zones.size(), 1U);
   EXPECT_EQ(zones.front().name, "ward");
+}
+
+TEST(MapMergeTest, WhatStoodThereLaterCounts) {
+  using test::FurnishedMaps;
+  constexpr core::ClassId kStays = mapping::scene::kCouch;
+  constexpr core::ClassId kMoves = mapping::scene::kChair;
+  constexpr core::ClassId kGoes = mapping::scene::kBed;
+  const FurnishedMaps maps(
+      {FurnishedMaps::cube(80, kStays, 1), FurnishedMaps::cube(110, kMoves, 2), FurnishedMaps::cube(95, kGoes, 3)},
+      {FurnishedMaps::cube(80, kStays, 1), FurnishedMaps::cube(135, kMoves, 2)});
+  pipeline::SlamOptions options;
+  options.mapping = FurnishedMaps::mappingOptions();
+  const auto report = mergeMaps({maps.a(), maps.b()}, maps.all(), options, goOn);
+  ASSERT_EQ(report.parts.size(), 1U);
+
+  std::map<core::ClassId, std::vector<mapping::MapObject>> things;
+  for (const auto& [id, object] : storage::MapFile::open(maps.all()).read().objects)
+    things[object.classId].push_back(object);
+  ASSERT_EQ(things[kStays].size(), 1U);
+  EXPECT_EQ(things[kStays][0].state, mapping::ObjectState::Static);
+  ASSERT_EQ(things[kMoves].size(), 1U) << "one thing that moved";
+  EXPECT_EQ(things[kMoves][0].state, mapping::ObjectState::Moved);
+  EXPECT_LT((things[kMoves][0].centroid_m - maps.p_first_m(135)).norm(), 0.4);
+  ASSERT_EQ(things[kGoes].size(), 1U);
+  EXPECT_EQ(things[kGoes][0].state, mapping::ObjectState::Gone);
 }
 
 TEST(MapMergeTest, WhoEndsItFindsNothingWritten) {
