@@ -149,7 +149,8 @@ MergeReport mergeMaps(const std::vector<std::filesystem::path>& maps, const std:
   storage::MapFile::requireThatOneCanBeMade(out);
   std::vector<Run> runs = readRuns(maps, progress);
   requireThatTheyFit(runs);
-  const JoinedRuns joined = joinRuns(runs, options, progress);
+  const WorkFile work(out, runs, options);
+  const JoinedRuns joined = joinRuns(runs, options, progress, &work);
   MergedZones zones = mergeZones(runs, joined);
   storage::MapHeader header{labelsOf(runs), runs.front().header.options, {}};
   MergeReport report{{}, joined.looksBetweenRuns.size(), std::move(zones.notes)};
@@ -163,6 +164,7 @@ MergeReport mergeMaps(const std::vector<std::filesystem::path>& maps, const std:
   builder.restore(all.semantic, all.memory);
   fuse(builder, joined, progress);
   storage::MapFile::create(out, header, everythingOf(builder, joined)).compact();
+  work.remove();
   return report;
 }
 

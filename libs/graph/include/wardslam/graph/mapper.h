@@ -74,6 +74,7 @@ class Mapper {
   /// Closed, and taken back with all they had changed as they did not fit: nobody was told of them.
   [[nodiscard]] std::size_t loopsTakenBack() const { return loopsTakenBack_; }
   [[nodiscard]] std::size_t submapsJoined() const { return joins_.size(); }
+  [[nodiscard]] const std::vector<odometry::SubmapJoin>& joins() const { return joins_; }  ///< In their order.
   [[nodiscard]] const odometry::Pieces& pieces() const { return pieces_; }
 
   /// After the last keyframe: joins two pieces by the best that was seen, though it was less than is asked for while
