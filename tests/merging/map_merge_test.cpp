@@ -151,8 +151,9 @@ TEST_F(InterruptedMergeTest, GoesOnFromWhereItWasToTheSameBytes) {
 
 TEST_F(InterruptedMergeTest, PlacesAreKeptWhenEndedLater) {
   merge("whole.wardmap");
-  merge("all.wardmap", "join", 1);
+  merge("all.wardmap", "tile", 30);
   EXPECT_FALSE(isThere("all.wardmap"));
+  EXPECT_FALSE(isThere("all.wardmap.partial"));
   EXPECT_EQ(merge("all.wardmap"), 0U) << "no keyframe has to look again";
   EXPECT_TRUE(bytesOf(maps_.file("all.wardmap")) == bytesOf(maps_.file("whole.wardmap")));
 }
