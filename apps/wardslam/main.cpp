@@ -5,6 +5,7 @@
 #include "eval_command.h"
 #include "eval_floor_command.h"
 #include "eval_objects_command.h"
+#include "eval_rooms_command.h"
 #include "fleet_command.h"
 #include "knowledge_command.h"
 #include "map_command.h"
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
     addEvalCommand(app);
     addEvalObjectsCommand(app);
     addEvalFloorCommand(app);
+    addEvalRoomsCommand(app);
     addConfigCommand(app);
     addModelsCommand(app);
     addKnowledgeCommand(app);

@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/interruption.h"
@@ -39,23 +41,37 @@ pipeline::SlamOptions optionsFrom(const Path& config) {
   return config.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(config);
 }
 
-/// A line for every kind of work; looks for Ctrl-C as often as it is told of progress.
+/// A line for every kind of work, from where that begins; looks for Ctrl-C as often as it is told of progress.
 class ProgressLines {
  public:
+  explicit ProgressLines(std::function<std::string()> whenInterrupted) : whenInterrupted_(std::move(whenInterrupted)) {}
+
   void operator()(const merging::Progress& progress) {
-    if (interruption_.requested()) throw core::InputError("interrupted; nothing was written");
+    if (interruption_.requested()) throw core::InputError("interrupted; " + whenInterrupted_());
     if (unit_ != progress.unit) {
-      line_ = std::make_unique<Progress>(std::cerr, standardErrorIsTerminal(), progress.unit, progress.total);
       unit_ = progress.unit;
+      before_ = progress.done == 0 ? 0 : progress.done - 1;
+      line_.reset();  // ends its line
+      line_ = std::make_unique<Progress>(std::cerr, standardErrorIsTerminal(), unit_, progress.total - before_);
     }
-    line_->update(progress.done);
+    line_->update(progress.done - before_);
   }
 
  private:
+  std::function<std::string()> whenInterrupted_;
   InterruptionGuard interruption_;
   std::string unit_;
+  std::size_t before_ = 0;
   std::unique_ptr<Progress> line_;
 };
+
+/// What somebody should know who has ended it.
+std::string whatIsLeftOf(const Path& out) {
+  const Path work = out.string() + ".merging";
+  std::string left = out.string() + " was not written";
+  if (std::filesystem::exists(work)) left += "; the same command goes on from where it was (" + work.string() + ")";
+  return left;
+}
 
 Json toJson(const merging::MergeReport& report) {
   Json parts = Json::array();
@@ -75,7 +91,7 @@ void merge(const MergeArguments& arguments) {
   if (arguments.maps.size() < 2) throw UsageError("map merge needs two maps or more");
   merging::MergeReport report;
   {
-    ProgressLines progress;
+    ProgressLines progress([&] { return whatIsLeftOf(arguments.out); });
     report = merging::mergeMaps(arguments.maps, arguments.out, optionsFrom(arguments.config), std::ref(progress));
   }
   for (const std::string& note : report.notes) std::cerr << "wardslam: " << note << "\n";
@@ -148,7 +164,7 @@ void addConfig(CLI::App& command, Path& config) {
 }  // namespace
 
 std::optional<merging::Alignment> alignWithProgress(const Path& a, const Path& b, const Path& config) {
-  ProgressLines progress;
+  ProgressLines progress([] { return "nothing was written"; });
   return merging::align(a, b, optionsFrom(config), std::ref(progress));
 }
 

@@ -7,6 +7,7 @@
 #include "map_report.h"
 #include "support/table.h"
 #include "wardslam/building/rooms_of_map.h"
+#include "wardslam/building/storeys.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
 #include "wardslam/query/map_query.h"
@@ -68,7 +69,10 @@ std::optional<query::NearObject> findNearest(const MapQuestion& question, const 
 void keepThoseIn(const std::string& room, const mapping::SemanticMap& map, Objects& objects) {
   const auto rooms = building::roomsOf(map);
   const auto& name = rooms.named(room).name;
-  const auto isElsewhere = [&](const auto* object) { return building::roomAt(rooms, object->centroid_m) != name; };
+  const auto storeys = building::storeysOf(map);
+  const auto isElsewhere = [&](const auto* object) {
+    return !building::isOnPlan(storeys, object->centroid_m.z()) || building::roomAt(rooms, object->centroid_m) != name;
+  };
   objects.erase(std::remove_if(objects.begin(), objects.end(), isElsewhere), objects.end());
 }
 

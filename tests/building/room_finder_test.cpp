@@ -108,6 +108,31 @@ TEST(RoomFinder, AHoleInAWallIsNoDoor) {
   EXPECT_EQ(rooms.doors.size(), 2U);
 }
 
+TEST(RoomFinder, AThingThatReachesThroughAWallIsNoDoor) {
+  auto plan = makeStorey();
+  fill(plan, 3.8, 2.2, 4.6, 2.6, kWall);  // it stands in the ward, and its box is too large by 0.4 m
+  mapping::MapObject cupboard = makeBed(4.2, 2.2);
+  cupboard.orientedBox.size_m = Eigen::Vector3d(0.8, 0.8, 1.0);
+  const auto rooms = findRooms(plan, {&cupboard}, {});
+  EXPECT_EQ(rooms.all.size(), 3U);
+  EXPECT_EQ(rooms.doors.size(), 2U);
+}
+
+TEST(RoomFinder, ADoorIsStraightAcrossWhereverTheFloorBehindItEnds) {
+  auto plan = makeStorey();
+  for (int row = 1; row <= 60; ++row) {  // from the corridor, more of the ward was seen to the right than to the left
+    const double y_m = 2.2 + 0.1 * (row - 1);
+    fill(plan, 0.0, y_m, std::max(0.05, 2.0 - 0.01 * row), y_m + 0.1, mapping::FloorPlan::kUnknown);
+    fill(plan, std::min(4.95, 3.2 + 0.1 * row), y_m, 5.0, y_m + 0.1, mapping::FloorPlan::kUnknown);
+  }
+  const auto rooms = findRooms(plan, {}, {});
+  ASSERT_EQ(rooms.doors.size(), 2U);
+  for (const auto& door : rooms.doors) {
+    EXPECT_NEAR(door.from_m.y(), door.to_m.y(), 0.06);
+    EXPECT_NEAR((door.from_m - door.to_m).norm(), door.width_m, 0.11);
+  }
+}
+
 TEST(RoomFinder, ATableInTheMiddleIsNoWall) {
   auto plan = makeStorey();
   fill(plan, 2.0, 4.5, 3.0, 6.0, kWall);

@@ -107,6 +107,8 @@ TEST_F(MapCommandTest, RoomsOnBothSidesOfTheWall) {
   EXPECT_EQ(zoned["name"], "clean zone");
   EXPECT_NEAR(zoned["area_m2"].get<double>(), 4.0 * 5.9, 0.4);
   EXPECT_EQ(zoned["objects"], 3);
+  EXPECT_EQ(zoned["object_ids"], json({1, 2, 3}));
+  EXPECT_EQ(zoned["keyframe_ids"], json({1, 2, 3}));
   EXPECT_THAT(objectIds({"--room", "clean zone"}), ElementsAre(1, 2, 3));
   const auto unknown = map({"objects", "--room", "clean zones"});
   EXPECT_EQ(unknown.exitCode, 1);

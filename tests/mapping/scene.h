@@ -69,12 +69,13 @@ inline double entry(const Eigen::AlignedBox3d& box_m, const Eigen::Vector3d& ori
 
 /// What the camera sees at `T_map_cam`, as a view that hangs on the keyframe with the pose `T_map_keyframe`.
 inline View render(const std::vector<Thing>& things, const Eigen::Isometry3d& T_map_cam, double stamp_s,
-                   odometry::KeyframeId keyframe = 1, const Eigen::Isometry3d& T_map_keyframe = cameraAt({0, 0, 1})) {
+                   odometry::KeyframeId keyframe = 1, const Eigen::Isometry3d& T_map_keyframe = cameraAt({0, 0, 1}),
+                   const core::CameraModel& camera = scene::camera()) {
   View view;
   view.keyframe = keyframe;
   view.T_keyframe_cam = T_map_keyframe.inverse() * T_map_cam;
   view.stamp_s = stamp_s;
-  view.camera = camera();
+  view.camera = camera;
   const cv::Size size(view.camera.width_px, view.camera.height_px);
   view.color_bgr = cv::Mat(size, CV_8UC3, cv::Scalar::all(0));
   view.depth_m = cv::Mat(size, CV_32FC1, cv::Scalar(0));

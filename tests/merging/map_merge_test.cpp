@@ -4,7 +4,9 @@
 
 #include <fstream>
 #include <iterator>
+#include <optional>
 
+#include "merging/furnished_maps.h"
 #include "merging/meeting_maps.h"
 #include "support/complaint.h"
 
@@ -80,16 +82,97 @@ TEST(MapMergeTest, ZonesOfAllMapsAreInIt) {
   EXPECT_EQ(zones.front().name, "ward");
 }
 
-TEST(MapMergeTest, WhoEndsItFindsNothingWritten) {
-  const MeetingMaps maps;
-  std::size_t keyframes = 0;
-  const auto endsSoon = [&](const Progress& progress) {
-    if (progress.unit == "keyframe" && ++keyframes == 3) throw core::InputError("interrupted");
-  };
-  EXPECT_THROW(mergeMaps({maps.a(), maps.b()}, maps.file("all.wardmap"), {}, endsSoon), core::InputError);
+TEST(MapMergeTest, WhatStoodThereLaterCounts) {
+  using test::FurnishedMaps;
+  constexpr core::ClassId kStays = mapping::scene::kCouch;
+  constexpr core::ClassId kMoves = mapping::scene::kChair;
+  constexpr core::ClassId kGoes = mapping::scene::kBed;
+  const FurnishedMaps maps(
+      {FurnishedMaps::cube(80, kStays, 1), FurnishedMaps::cube(110, kMoves, 2), FurnishedMaps::cube(95, kGoes, 3)},
+      {FurnishedMaps::cube(80, kStays, 1), FurnishedMaps::cube(135, kMoves, 2)});
+  pipeline::SlamOptions options;
+  options.mapping = FurnishedMaps::mappingOptions();
+  const auto report = mergeMaps({maps.a(), maps.b()}, maps.all(), options, goOn);
+  ASSERT_EQ(report.parts.size(), 1U);
+
+  std::map<core::ClassId, std::vector<mapping::MapObject>> things;
+  for (const auto& [id, object] : storage::MapFile::open(maps.all()).read().objects)
+    things[object.classId].push_back(object);
+  ASSERT_EQ(things[kStays].size(), 1U);
+  EXPECT_EQ(things[kStays][0].state, mapping::ObjectState::Static);
+  ASSERT_EQ(things[kMoves].size(), 1U) << "one thing that moved";
+  EXPECT_EQ(things[kMoves][0].state, mapping::ObjectState::Moved);
+  EXPECT_LT((things[kMoves][0].centroid_m - maps.p_first_m(135)).norm(), 0.4);
+  ASSERT_EQ(things[kGoes].size(), 1U);
+  EXPECT_EQ(things[kGoes][0].state, mapping::ObjectState::Gone);
+}
+
+class InterruptedMergeTest : public testing::Test {
+ protected:
+  /// Ends it when so many keyframes, or whatever is counted, are done. Returns how far it was told to be first.
+  std::size_t merge(const std::string& out, const std::string& unit = "", std::size_t last = 0,
+                    const pipeline::SlamOptions& options = {}) {
+    std::optional<std::size_t> first;
+    const auto hear = [&](const Progress& progress) {
+      if (progress.unit == "keyframe" && !first) first = progress.done;
+      if (progress.unit == unit && progress.done == last) throw core::InputError("interrupted");
+    };
+    if (unit.empty()) {
+      mergeMaps({maps_.a(), maps_.b()}, maps_.file(out), options, hear);
+    } else {
+      EXPECT_THROW(mergeMaps({maps_.a(), maps_.b()}, maps_.file(out), options, hear), core::InputError);
+    }
+    return first.value_or(0);
+  }
+  [[nodiscard]] bool isThere(const std::string& name) const { return std::filesystem::exists(maps_.file(name)); }
+
+  const MeetingMaps maps_;
+};
+
+TEST_F(InterruptedMergeTest, NoMapIsWritten) {
+  merge("all.wardmap", "keyframe", 19);
   std::vector<std::string> left;
-  for (const auto& entry : std::filesystem::directory_iterator(maps.file(""))) left.push_back(entry.path().filename());
-  EXPECT_THAT(left, testing::UnorderedElementsAre("a.wardmap", "b.wardmap"));
+  for (const auto& entry : std::filesystem::directory_iterator(maps_.file(""))) left.push_back(entry.path().filename());
+  EXPECT_THAT(left, testing::UnorderedElementsAre("a.wardmap", "b.wardmap", "all.wardmap.merging"));
+  merge("all.wardmap");
+  EXPECT_FALSE(isThere("all.wardmap.merging"));
+}
+
+TEST_F(InterruptedMergeTest, GoesOnFromWhereItWasToTheSameBytes) {
+  EXPECT_EQ(merge("whole.wardmap"), 17U);
+  for (const std::size_t last : {17, 22, 28}) {
+    merge("all.wardmap", "keyframe", last);
+    ASSERT_TRUE(isThere("all.wardmap.merging"));
+    EXPECT_EQ(merge("all.wardmap"), last == 28 ? 0 : last + 1) << "what was done is not done again";
+    EXPECT_TRUE(bytesOf(maps_.file("all.wardmap")) == bytesOf(maps_.file("whole.wardmap"))) << last;
+    std::filesystem::remove(maps_.file("all.wardmap"));
+  }
+}
+
+TEST_F(InterruptedMergeTest, PlacesAreKeptWhenEndedLater) {
+  merge("whole.wardmap");
+  merge("all.wardmap", "tile", 30);
+  EXPECT_FALSE(isThere("all.wardmap"));
+  EXPECT_FALSE(isThere("all.wardmap.partial"));
+  EXPECT_EQ(merge("all.wardmap"), 0U) << "no keyframe has to look again";
+  EXPECT_TRUE(bytesOf(maps_.file("all.wardmap")) == bytesOf(maps_.file("whole.wardmap")));
+}
+
+TEST_F(InterruptedMergeTest, BeginsAnewWhereTheWorkIsOfSomethingElse) {
+  merge("all.wardmap", "keyframe", 20);
+  const std::string work = bytesOf(maps_.file("all.wardmap.merging"));
+  const auto beginsAnewWith = [&](const std::string& bytes, const pipeline::SlamOptions& options = {}) {
+    std::ofstream(maps_.file("all.wardmap.merging"), std::ios::binary) << bytes;
+    return merge("all.wardmap", "keyframe", 24, options) == 17;
+  };
+  EXPECT_FALSE(beginsAnewWith(work));
+  EXPECT_TRUE(beginsAnewWith(work.substr(0, work.size() / 2))) << "damaged";
+  EXPECT_TRUE(beginsAnewWith("nothing of the kind"));
+  pipeline::SlamOptions others;
+  others.graph.loop_verification.min_inliers += 1;
+  EXPECT_TRUE(beginsAnewWith(work, others));
+  MeetingMaps::write(maps_.a(), maps_.runs().first, {{"ward", {{0, 0}, {1, 0}, {1, 1}}}});
+  EXPECT_TRUE(beginsAnewWith(work)) << "one of the maps has changed";
 }
 
 TEST(MapMergeTest, TellsHowFarItIs) {

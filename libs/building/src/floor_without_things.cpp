@@ -87,9 +87,14 @@ void clearIslands(double largest, cv::Mat& floor) {
 
 }  // namespace
 
-cv::Mat floorWithoutThings(const mapping::FloorPlan& plan, const std::vector<const mapping::MapObject*>& things) {
+cv::Mat seenFloor(const mapping::FloorPlan& plan) {
   cv::Mat floor = plan.cells == mapping::FloorPlan::kFree;
   closeGaps(plan, floor);
+  return floor;
+}
+
+cv::Mat floorWithoutThings(const mapping::FloorPlan& plan, const std::vector<const mapping::MapObject*>& things) {
+  cv::Mat floor = seenFloor(plan);
   clearIslands(kLargestIsland_m / plan.resolution_m, floor);
   // Only now: things on both sides may cut a wall to pieces that would look like islands.
   clear(plan, things, floor);

@@ -1,6 +1,8 @@
 #include "room_doors.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -42,18 +44,36 @@ std::vector<std::vector<cv::Point>> hangingTogether(const std::vector<cv::Point>
   return groups;
 }
 
-std::pair<cv::Point, cv::Point> farthest(const std::vector<cv::Point>& cells) {
-  std::pair<cv::Point, cv::Point> ends{cells.front(), cells.front()};
-  int most = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (std::size_t j = i + 1; j < cells.size(); ++j) {
-      const cv::Point way = cells[j] - cells[i];
-      if (way.dot(way) <= most) continue;
-      most = way.dot(way);
-      ends = {cells[i], cells[j]};
-    }
+bool isFloor(const FloorRegions& regions, const cv::Point& cell) {
+  return cv::Rect({}, regions.ids.size()).contains(cell) && regions.distance.at<float>(cell) > 0.0F;
+}
+
+/// The last floor from there in a direction.
+cv::Point edgeFrom(const FloorRegions& regions, const cv::Point& middle, const cv::Point2d& direction) {
+  cv::Point edge = middle;
+  for (double way = 0.5;; way += 0.5) {
+    const cv::Point next(cvRound(middle.x + way * direction.x), cvRound(middle.y + way * direction.y));
+    if (!isFloor(regions, next)) return edge;
+    edge = next;
   }
-  return ends;
+}
+
+/// The shortest line through a place from wall to wall.
+std::pair<cv::Point, cv::Point> shortestAcross(const FloorRegions& regions, const cv::Point& middle) {
+  constexpr int kDirections = 36;
+  std::pair<cv::Point, cv::Point> shortest{middle, middle};
+  int least = std::numeric_limits<int>::max();
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle_rad = CV_PI * i / kDirections;
+    const cv::Point2d direction(std::cos(angle_rad), std::sin(angle_rad));
+    const cv::Point from = edgeFrom(regions, middle, -direction);
+    const cv::Point to = edgeFrom(regions, middle, direction);
+    const cv::Point way = to - from;
+    if (way.dot(way) >= least) continue;
+    least = way.dot(way);
+    shortest = {from, to};
+  }
+  return shortest;
 }
 
 }  // namespace
@@ -62,10 +82,12 @@ std::vector<RegionBorder> bordersOf(const FloorRegions& regions) {
   std::vector<RegionBorder> borders;
   for (const auto& [pair, cells] : touchingCells(regions.ids)) {
     for (const auto& group : hangingTogether(cells, regions.ids.size())) {
-      const auto [from, to] = farthest(group);
-      float halfWidth = 0.0F;
-      for (const auto& cell : group) halfWidth = std::max(halfWidth, regions.distance.at<float>(cell));
-      borders.push_back({pair.first, pair.second, group, from, to, halfWidth});
+      const auto isNarrower = [&](const cv::Point& one, const cv::Point& another) {
+        return regions.distance.at<float>(one) < regions.distance.at<float>(another);
+      };
+      const cv::Point middle = *std::max_element(group.begin(), group.end(), isNarrower);
+      const auto [from, to] = shortestAcross(regions, middle);
+      borders.push_back({pair.first, pair.second, group, from, to, regions.distance.at<float>(middle)});
     }
   }
   return borders;

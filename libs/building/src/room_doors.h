@@ -11,7 +11,7 @@ struct RegionBorder {
   int region = 0;  ///< The smaller id of both.
   int other = 0;
   std::vector<cv::Point> cells;
-  cv::Point from;  ///< The two of its cells that are farthest from each other.
+  cv::Point from;  ///< Ends of the shortest line from wall to wall through its widest place.
   cv::Point to;
   float halfWidth = 0.0F;  ///< From its widest place to the nearest wall.
 };

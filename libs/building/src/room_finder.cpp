@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kOutlineTolerance = 1.5;  // cells
 constexpr double kNarrowestDoor_m = 0.5;   // nobody gets through less
+constexpr double kDeep_m = 0.3;            // in a room, and not in its wall
 constexpr double kIsThisZone = 0.5;        // of what is in the zone, in the room or in both
 
 Eigen::Vector2d placeOf(const Rooms& rooms, const cv::Point& cell) {
@@ -37,22 +38,40 @@ std::vector<Eigen::Vector2d> outlineOf(const Rooms& rooms, int id) {
   return outline_m;
 }
 
-/// Whether somebody gets through. Where boxes of things reach through a wall, rooms touch, too.
-bool leadsThrough(const RegionBorder& border, const mapping::FloorPlan& plan) {
-  const auto isFree = [&plan](const cv::Point& cell) {
-    return plan.cells.at<unsigned char>(cell) == mapping::FloorPlan::kFree;
-  };
-  const auto free = std::count_if(border.cells.begin(), border.cells.end(), isFree);
-  return 2 * free > static_cast<std::ptrdiff_t>(border.cells.size()) &&
-         2.0 * static_cast<double>(border.halfWidth) * plan.resolution_m >= kNarrowestDoor_m;
+/// Whether floor that was seen free leads from one room well into the other. Where boxes of things reach through a
+/// wall, rooms touch, too.
+bool isFreeAcross(const RegionBorder& border, const cv::Mat& ids, const cv::Mat& seen, double deep) {
+  const double most = 1.5 * deep;  // not around by another door
+  const int reach = static_cast<int>(std::ceil(most));
+  cv::Rect around = cv::boundingRect(border.cells);
+  around = cv::Rect(around.x - reach, around.y - reach, around.width + 2 * reach, around.height + 2 * reach) &
+           cv::Rect({}, ids.size());
+  cv::Mat isElsewhere(around.size(), CV_8UC1, cv::Scalar(255));
+  for (const auto& cell : border.cells) isElsewhere.at<unsigned char>(cell - around.tl()) = 0;
+  cv::Mat away;
+  cv::distanceTransform(isElsewhere, away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  cv::Mat parts;
+  const int count = cv::connectedComponents(seen(around) & (away <= most), parts, 4);
+  std::vector<std::pair<bool, bool>> reaches(static_cast<std::size_t>(count));
+  for (int row = 0; row < around.height; ++row) {
+    for (int column = 0; column < around.width; ++column) {
+      if (parts.at<int>(row, column) == 0 || static_cast<double>(away.at<float>(row, column)) < deep) continue;
+      auto& [one, other] = reaches[static_cast<std::size_t>(parts.at<int>(row, column))];
+      const int id = ids.at<int>(around.y + row, around.x + column);
+      one = one || id == border.region;
+      other = other || id == border.other;
+    }
+  }
+  return std::any_of(reaches.begin(), reaches.end(), [](const auto& part) { return part.first && part.second; });
 }
 
 std::vector<Door> doorsOf(const Rooms& rooms, const FloorRegions& regions, const mapping::FloorPlan& plan) {
+  const cv::Mat seen = seenFloor(plan);
   std::vector<Door> doors;
   for (const auto& border : bordersOf(regions)) {
-    if (!leadsThrough(border, plan)) continue;
-    doors.push_back({border.region, border.other, placeOf(rooms, border.from), placeOf(rooms, border.to),
-                     2.0 * static_cast<double>(border.halfWidth) * rooms.resolution_m});
+    const double width_m = 2.0 * static_cast<double>(border.halfWidth) * rooms.resolution_m;
+    if (width_m < kNarrowestDoor_m || !isFreeAcross(border, rooms.ids, seen, kDeep_m / plan.resolution_m)) continue;
+    doors.push_back({border.region, border.other, placeOf(rooms, border.from), placeOf(rooms, border.to), width_m});
   }
   return doors;
 }

@@ -3,12 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "wardslam/building/storeys.h"
+
 namespace wardslam::building {
 
 Rooms roomsOf(const mapping::SemanticMap& map, const RoomOptions& options) {
   std::vector<const mapping::MapObject*> things;
+  const auto storeys = storeysOf(map);
   for (const auto& [id, object] : map.objects) {
-    if (object.piece == map.piece) things.push_back(&object);
+    if (object.piece == map.piece && isOnPlan(storeys, object.centroid_m.z())) things.push_back(&object);
   }
   return findRooms(map.floorPlan, things, map.zones, options);
 }

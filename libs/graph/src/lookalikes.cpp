@@ -39,6 +39,11 @@ const std::vector<Loop>& Lookalikes::doublesOf(KeyframeId id, const std::functio
   return known != doubles_.end() ? known->second : doubles_.emplace(id, search()).first->second;
 }
 
+void Lookalikes::resume(std::map<KeyframeId, double> apart_m, std::map<KeyframeId, std::vector<Loop>> doubles) {
+  apart_m_ = std::move(apart_m);
+  doubles_ = std::move(doubles);
+}
+
 void Lookalikes::apply(const odometry::RemovedKeyframe& removed) {
   doubles_.erase(removed.id);
   for (auto& [id, looks] : doubles_) {

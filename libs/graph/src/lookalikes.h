@@ -27,6 +27,10 @@ class Lookalikes {
 
   void apply(const odometry::RemovedKeyframe& removed);
 
+  [[nodiscard]] const std::map<KeyframeId, double>& apart_m() const { return apart_m_; }
+  [[nodiscard]] const std::map<KeyframeId, std::vector<Loop>>& doubles() const { return doubles_; }
+  void resume(std::map<KeyframeId, double> apart_m, std::map<KeyframeId, std::vector<Loop>> doubles);
+
  private:
   void add(KeyframeId id, double apart_m);
 

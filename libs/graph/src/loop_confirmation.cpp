@@ -173,6 +173,11 @@ void LoopConfirmation::apply(const odometry::RemovedKeyframe& removed) {
   }
 }
 
+void LoopConfirmation::resume(std::vector<Hypothesis> hypotheses, std::vector<Hypothesis> unsettled) {
+  hypotheses_ = std::move(hypotheses);
+  unsettled_ = std::move(unsettled);
+}
+
 bool LoopConfirmation::agree(const KeyframeGraph& graph, const Loop& a, const Loop& b) const {
   if (!areOfSamePieces(graph, a, b)) return false;
   const Eigen::Isometry3d difference = differenceOf(graph, a, b);

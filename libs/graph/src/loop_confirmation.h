@@ -39,10 +39,14 @@ class LoopConfirmation {
 
   void apply(const odometry::RemovedKeyframe& removed);
 
- private:
   /// Loops that agree with each other, in order of their newer keyframes.
   using Hypothesis = std::vector<Loop>;
 
+  [[nodiscard]] const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+  [[nodiscard]] const std::vector<Hypothesis>& unsettled() const { return unsettled_; }
+  void resume(std::vector<Hypothesis> hypotheses, std::vector<Hypothesis> unsettled);
+
+ private:
   [[nodiscard]] bool agree(const KeyframeGraph& graph, const Loop& a, const Loop& b) const;
   [[nodiscard]] bool isConfirmed(const KeyframeGraph& graph, const Hypothesis& hypothesis) const;
   [[nodiscard]] bool hasRival(const KeyframeGraph& graph, const Hypothesis& hypothesis) const;

@@ -73,8 +73,15 @@ void Mapper::takeIn(const SavedGraph& saved) {
 }
 
 void Mapper::rememberPlacesOf(const SavedGraph& saved) {
-  for (const auto& keyframe : saved.keyframes) rememberPlace(keyframe->id);
+  std::vector<RememberedPlace> places;
+  for (const auto& keyframe : saved.keyframes) places.push_back(lastingLooksOf(keyframe->id));
+  remember(std::move(places));
+}
+
+void Mapper::remember(std::vector<RememberedPlace> places) {
+  for (const RememberedPlace& place : places) remember(place);
   places_.build();
+  remembered_.push_back(std::move(places));
 }
 
 odometry::MapUpdate Mapper::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe,
@@ -175,7 +182,7 @@ void Mapper::rememberPlaces(KeyframeId newest) {
   const bool startsAnew = !young_.empty() && submapOf(young_.back()) != submapOf(newest);
   const auto gap = static_cast<std::size_t>(startsAnew ? 0 : options_.place_recognition.min_keyframe_gap);
   while (young_.size() > gap) {
-    rememberPlace(young_.front());
+    remember(lastingLooksOf(young_.front()));
     young_.pop_front();
   }
   if (startsAnew) places_.build();
@@ -183,12 +190,18 @@ void Mapper::rememberPlaces(KeyframeId newest) {
 }
 
 /// By the looks of points that have lasted: what was seen once will hardly be seen again.
-void Mapper::rememberPlace(KeyframeId id) {
-  const KeyframeNode& node = graph_.keyframes().at(id);
+RememberedPlace Mapper::lastingLooksOf(KeyframeId id) const {
+  RememberedPlace place{id, {}};
+  for (const auto& [point, keypoint] : graph_.keyframes().at(id).keypointOf)
+    place.keypoints.push_back(static_cast<std::uint32_t>(keypoint));
+  return place;
+}
+
+void Mapper::remember(const RememberedPlace& place) {
+  const cv::Mat& all = graph_.keyframes().at(place.id).keyframe->features.descriptors;
   cv::Mat descriptors;
-  for (const auto& [point, keypoint] : node.keypointOf)
-    descriptors.push_back(node.keyframe->features.descriptors.row(static_cast<int>(keypoint)));
-  places_.add(id, descriptors);
+  for (const std::uint32_t keypoint : place.keypoints) descriptors.push_back(all.row(static_cast<int>(keypoint)));
+  places_.add(place.id, descriptors);
 }
 
 /// Among the keyframes before that one.
@@ -259,7 +272,7 @@ bool Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop
     return false;
   }
   ++loopsClosed_;
-  if (closing->joined) ++submapsJoined_;
+  if (closing->joined) joins_.push_back(*closing->joined);
   update.movesTheMap = true;
   update.joined = closing->joined;
   update.fusedPoints = std::move(closing->fusedPoints);

@@ -24,12 +24,14 @@ void level(KeyframeGraph& graph, const std::vector<Loop>& looks, const std::vect
 }  // namespace
 
 /// Its own places come to be remembered last: beside them those of others would not be found.
-void Mapper::meet(const SavedGraph& other, const std::function<void(const odometry::MapUpdate&)>& onKeyframe) {
-  takeIn(other);
+void Mapper::meet(const SavedGraph& other, const std::function<void(const odometry::MapUpdate&)>& onKeyframe,
+                  std::size_t done) {
+  if (done == 0) takeIn(other);
   const KeyframeId first = other.keyframes.empty() ? 0 : other.keyframes.front()->id;
-  for (const auto& keyframe : other.keyframes) {
+  for (std::size_t i = done; i < other.keyframes.size(); ++i) {
+    const KeyframeId id = other.keyframes[i]->id;
     odometry::MapUpdate update;
-    const auto loops = confirmation_->confirm(graph_, keyframe->id, recognise(keyframe->id, first));
+    const auto loops = confirmation_->confirm(graph_, id, recognise(id, first));
     const bool isClosed = !loops.empty() && !areMistakable(loops) && close(loops, nullptr, update);
     if (isClosed && options_.floor) level(graph_, loops, loops_, options_);
     onKeyframe(update);

@@ -82,13 +82,14 @@ std::vector<OtherLook> looksOfOthers(std::uint32_t piece, const LooksByPiece& lo
   return others;
 }
 
-std::vector<ObjectId> compareWith(const std::vector<OtherLook>& looks, Part& part, double until_s) {
+std::vector<ObjectId> compareWith(const std::vector<OtherLook>& looks, Part& part, double until_s,
+                                  const std::function<void()>& onTile) {
   const auto& records = part.objects.objects();
   const auto seenUntil_s = [&](ObjectId id) {
     const auto record = records.find(id);
     return record == records.end() ? until_s : record->second.lastSeen_s;
   };
-  const LaterLooks later = lookLater(part.cloud, looks, seenUntil_s);
+  const LaterLooks later = lookLater(part.cloud, looks, seenUntil_s, onTile);
   std::vector<ObjectId> gone;
   for (const auto& [id, counts] : later.objects) {
     if (isGone(counts, part.cloud.pointCounts().at(id))) gone.push_back(id);
@@ -126,12 +127,13 @@ std::vector<std::pair<ObjectId, ObjectId>> sameThingsOf(const std::map<std::uint
 }
 
 LaterLooks lookLater(const SemanticCloud& cloud, const std::vector<OtherLook>& looks,
-                     const std::function<double(ObjectId)>& seenUntil_s) {
+                     const std::function<double(ObjectId)>& seenUntil_s, const std::function<void()>& onTile) {
   LaterLooks found;
   for (std::uint32_t tile = 0; tile < cloud.tiles().size(); ++tile) {
     Judgement judgement(cloud.tiles()[tile]);
     for (const OtherLook& look : looks) judgement.lookFrom(look, seenUntil_s);
     judgement.addTo(found, tile);
+    onTile();
   }
   found.objects.erase(0);
   return found;

@@ -36,7 +36,8 @@ using LooksByPiece = std::map<std::uint32_t, std::vector<OtherLook>>;
 
 /// Takes away what later looks saw through, and notes of what came after others saw its place empty. `until_s`: the end
 /// of the run that the part is of. Returns the objects that are gone by that; their points are still there.
-std::vector<ObjectId> compareWith(const std::vector<OtherLook>& looks, Part& part, double until_s);
+std::vector<ObjectId> compareWith(const std::vector<OtherLook>& looks, Part& part, double until_s,
+                                  const std::function<void()>& onTile);
 
 /// What looks from later runs say of the points of a cloud: nobody knows what happened in between, so the latest that
 /// were seen count.
@@ -57,8 +58,9 @@ struct LaterLooks {
                                                                       const MappingOptions& options);
 
 /// `seenUntil_s`: since when what is seen of an object (0: of the rest of the cloud) is later. Looks in order of time.
-[[nodiscard]] LaterLooks lookLater(const SemanticCloud& cloud, const std::vector<OtherLook>& looks,
-                                   const std::function<double(ObjectId)>& seenUntil_s);
+[[nodiscard]] LaterLooks lookLater(
+    const SemanticCloud& cloud, const std::vector<OtherLook>& looks, const std::function<double(ObjectId)>& seenUntil_s,
+    const std::function<void()>& onTile = [] {});
 
 /// Whether somebody looked and the thing is not there: of what could be seen of it, most was seen through, and that is
 /// much of it.

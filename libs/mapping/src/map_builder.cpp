@@ -41,7 +41,7 @@ class MapBuilder::Impl {
   void addKeyframe(const odometry::Keyframe& keyframe);
   void apply(const odometry::MapUpdate& update);
   void add(const View& view);
-  void compareRuns(const Views& views, const odometry::Pieces& joined);
+  void compareRuns(const Views& views, const odometry::Pieces& joined, const std::function<void()>& onTile);
   SemanticMap map();
   SemanticMap map(const MapParts& parts);
   [[nodiscard]] MapMemory memory(const std::set<KeyframeId>& tiles) const;
@@ -83,8 +83,10 @@ class MapBuilder::Impl {
 };
 
 void MapBuilder::Impl::restore(const SemanticMap& earlier, const MapMemory& memory) {
-  pieces_ = odometry::Pieces(earlier.piece);
-  toldAsMap_ = earlier.piece;
+  if (keyframes_.empty()) {
+    pieces_ = odometry::Pieces(earlier.piece);
+    toldAsMap_ = earlier.piece;
+  }
   for (const auto& [id, keyframe] : earlier.keyframes) {
     keyframes_[id] = {keyframe.piece, keyframe.stamp_s, keyframe.T_map_cam, keyframe.freeFan_cam_m, keyframe.ground};
     pieces_.add(id, keyframe.piece);
@@ -111,7 +113,7 @@ void MapBuilder::Impl::restoreTile(std::uint64_t id, const SemanticMap& earlier,
 }
 
 void MapBuilder::Impl::restoreObjects(const SemanticMap& earlier, const MapMemory& memory) {
-  nextId_ = earlier.nextObjectId;
+  nextId_ = std::max(nextId_, earlier.nextObjectId);
   for (const auto& [id, object] : earlier.objects) {
     Part& home = part(object.piece);
     home.objects.restore(id, ObjectRecord::from(object, options_.objects.min_evidence));
@@ -240,11 +242,13 @@ std::vector<ObjectId> MapBuilder::Impl::recogniseObjects(Part& part, const View&
 }
 
 /// Which things are one is found out before points of both become one, and are of one of them.
-void MapBuilder::Impl::compareRuns(const Views& views, const odometry::Pieces& joined) {
+void MapBuilder::Impl::compareRuns(const Views& views, const odometry::Pieces& joined,
+                                   const std::function<void()>& onTile) {
   const LooksByPiece looks = looksOf(views, keyframes_);
   for (auto& [piece, part] : parts_) {
     describeTouched(part);  // what is gone keeps the place it had
-    removeGone(part, compareWith(looksOfOthers(piece, looks, joined), part, lastStampOf(piece, keyframes_)));
+    const double until_s = lastStampOf(piece, keyframes_);
+    removeGone(part, compareWith(looksOfOthers(piece, looks, joined), part, until_s, onTile));
     describeTouched(part);
   }
   sameThings_ = sameThingsOf(parts_, joined, options_);
@@ -427,7 +431,9 @@ void MapBuilder::restore(const SemanticMap& earlier, const MapMemory& memory) { 
 void MapBuilder::addKeyframe(const odometry::Keyframe& keyframe) { impl_->addKeyframe(keyframe); }
 void MapBuilder::apply(const odometry::MapUpdate& update) { impl_->apply(update); }
 void MapBuilder::add(const View& view) { impl_->add(view); }
-void MapBuilder::compareRuns(const Views& views, const odometry::Pieces& joined) { impl_->compareRuns(views, joined); }
+void MapBuilder::compareRuns(const Views& views, const odometry::Pieces& joined, const std::function<void()>& onTile) {
+  impl_->compareRuns(views, joined, onTile);
+}
 SemanticMap MapBuilder::map() { return impl_->map(); }
 SemanticMap MapBuilder::map(const MapParts& parts) { return impl_->map(parts); }
 FloorSeen MapBuilder::floorSeen() const { return impl_->floorSeen(); }

@@ -1,7 +1,10 @@
 #include "joined_runs.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <opencv2/core.hpp>
+#include <optional>
 
 namespace wardslam::merging {
 namespace {
@@ -12,9 +15,10 @@ std::size_t runOf(const std::vector<Run>& runs, graph::KeyframeId id) {
   return static_cast<std::size_t>(std::find_if_not(runs.begin(), runs.end(), isBehind) - runs.begin());
 }
 
-std::size_t keyframesOf(const std::vector<Run>& runs) {
+/// Of the first so many.
+std::size_t keyframesOf(const std::vector<Run>& runs, std::size_t count) {
   std::size_t keyframes = 0;
-  for (const Run& run : runs) keyframes += run.map.graph.keyframes.size();
+  for (std::size_t i = 0; i < count; ++i) keyframes += runs[i].map.graph.keyframes.size();
   return keyframes;
 }
 
@@ -25,23 +29,93 @@ std::uint32_t largestOf(const odometry::Pieces& pieces) {
   return std::max_element(sizes.begin(), sizes.end(), isSmaller)->first;
 }
 
+/// The index of places is made with OpenCV's random numbers, which have to be the same each time.
+class OwnRandomNumbers {
+ public:
+  OwnRandomNumbers() { cv::theRNG() = cv::RNG(); }
+  ~OwnRandomNumbers() { cv::theRNG() = before_; }
+  OwnRandomNumbers(const OwnRandomNumbers&) = delete;
+  OwnRandomNumbers& operator=(const OwnRandomNumbers&) = delete;
+
+ private:
+  cv::RNG before_ = cv::theRNG();
+};
+
+/// Runs on their way of becoming one.
+class Meeting {
+ public:
+  Meeting(const std::vector<Run>& runs, const ProgressSink& progress, const WorkFile* work, graph::Mapper& mapper)
+      : runs_(runs), progress_(progress), work_(work), mapper_(mapper) {}
+
+  void begin() {
+    const auto before = work_ == nullptr ? std::nullopt : work_->read();
+    if (!before) {
+      mapper_.restore(runs_.front().map.graph);
+      return;
+    }
+    run_ = before->run;
+    keyframes_ = before->keyframes;
+    std::vector<const graph::SavedGraph*> known;
+    for (std::size_t i = 0; i < run_ + (keyframes_ > 0 ? 1 : 0); ++i) known.push_back(&runs_[i].map.graph);
+    mapper_.resume(known, before->state);
+  }
+
+  void goOn() {
+    for (; run_ < runs_.size(); ++run_) {
+      keyframesBefore_ = keyframesOf(runs_, run_);
+      mapper_.meet(
+          runs_[run_].map.graph, [this](const auto& /*update*/) { onKeyframe(); }, keyframes_);
+      keyframes_ = 0;
+      keep(run_ + 1);
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds kAtRisk{60};  // of a process that is killed
+
+  void onKeyframe() {
+    ++keyframes_;
+    try {
+      progress_({"keyframe", keyframesBefore_ + keyframes_, total_});
+    } catch (...) {
+      keep(run_);
+      throw;
+    }
+    if (Clock::now() - kept_ > kAtRisk) keep(run_);
+  }
+
+  void keep(std::size_t run) {
+    if (work_ != nullptr) work_->write({run, keyframes_, mapper_.state()});
+    kept_ = Clock::now();
+  }
+
+  const std::vector<Run>& runs_;
+  const ProgressSink& progress_;
+  const WorkFile* work_;
+  graph::Mapper& mapper_;
+  std::size_t run_ = 1;        // that meets those before it
+  std::size_t keyframes_ = 0;  // of it that have looked
+  std::size_t keyframesBefore_ = 0;
+  std::size_t total_ = keyframesOf(runs_, runs_.size());
+  Clock::time_point kept_ = Clock::now();
+};
+
 }  // namespace
 
-JoinedRuns joinRuns(const std::vector<Run>& runs, const pipeline::SlamOptions& options, const ProgressSink& progress) {
-  JoinedRuns joined;
+JoinedRuns joinRuns(const std::vector<Run>& runs, const pipeline::SlamOptions& options, const ProgressSink& progress,
+                    const WorkFile* work) {
+  const OwnRandomNumbers own;
   graph::Mapper mapper(options.graph, options.odometry);
-  const std::size_t total = keyframesOf(runs);
-  std::size_t done = runs.front().map.graph.keyframes.size();
-  const auto onKeyframe = [&](const odometry::MapUpdate& update) {
-    if (update.joined) joined.joins.push_back(*update.joined);
-    progress({"keyframe", ++done, total});
-  };
-  mapper.restore(runs.front().map.graph);
-  for (std::size_t i = 1; i < runs.size(); ++i) mapper.meet(runs[i].map.graph, onKeyframe);
+  Meeting meeting(runs, progress, work, mapper);
+  meeting.begin();
+  meeting.goOn();
   mapper.adjustAll();
+  JoinedRuns joined;
   for (const graph::Loop& loop : mapper.loops()) {
     if (runOf(runs, loop.older) != runOf(runs, loop.newer)) joined.looksBetweenRuns.push_back(loop);
   }
+  joined.joins = mapper.joins();
   joined.graph = graph::save(mapper.graph());
   joined.graph.loops = mapper.loops();
   for (const auto& keyframe : joined.graph.keyframes) joined.T_joined_cam[keyframe->id] = keyframe->T_map_cam;

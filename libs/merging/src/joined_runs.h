@@ -6,6 +6,7 @@
 
 #include "runs.h"
 #include "wardslam/graph/mapper.h"
+#include "work_file.h"
 
 namespace wardslam::merging {
 
@@ -20,9 +21,10 @@ struct JoinedRuns {
 };
 
 /// Has every run look for places of those before it, and adjusts what that ties together. Pieces that nothing connects
-/// stay as they are, to the last bit.
+/// stay as they are, to the last bit. `work` (may be null): where it goes on from, and where it is kept, now and then
+/// and when `progress` throws.
 [[nodiscard]] JoinedRuns joinRuns(const std::vector<Run>& runs, const pipeline::SlamOptions& options,
-                                  const ProgressSink& progress);
+                                  const ProgressSink& progress, const WorkFile* work = nullptr);
 
 /// How a piece of a run has moved around something in its frame: as the keyframe nearest to it has. `away_m`: from
 /// there to a place in that frame.

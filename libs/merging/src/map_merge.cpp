@@ -1,18 +1,21 @@
 #include "wardslam/merging/map_merge.h"
 
 #include <algorithm>
-#include <set>
+#include <functional>
+#include <map>
+#include <memory>
 #include <utility>
 
+#include "fused_part.h"
 #include "joined_runs.h"
 #include "merged_zones.h"
 #include "runs.h"
+#include "unfinished_map.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/knowledge/knowledge_graph.h"
 #include "wardslam/knowledge/motion_rules.h"
 #include "wardslam/mapping/map_builder.h"
-#include "wardslam/query/map_difference.h"
 
 namespace wardslam::merging {
 namespace {
@@ -34,76 +37,129 @@ mapping::MapSetting settingOf(const core::LabelSpace& labels, const std::vector<
   return {labels, rules.moving(), mapping::Zones(zones), rules.movable()};
 }
 
-/// What is gone has no points in the cloud to follow.
-void moveWhatIsGone(Run& run, const JoinedRuns& joined) {
-  for (auto& [id, object] : run.map.semantic.objects) {
-    if (object.state != mapping::ObjectState::Gone) continue;
-    const Eigen::Vector3d place_m = object.centroid_m;
-    const auto away_m = [&](const Eigen::Vector3d& p_m) { return (p_m - place_m).norm(); };
-    const Eigen::Isometry3d motion = motionAround(away_m, run, object.piece, joined);
-    if (!motion.matrix().isIdentity(0.0)) query::moveObject(object, motion);
+/// Keyframe by keyframe: where it is, in which part.
+std::map<odometry::KeyframeId, mapping::MappedKeyframe> placedKeyframes(const std::vector<Run>& runs,
+                                                                        const JoinedRuns& joined) {
+  std::map<odometry::KeyframeId, mapping::MappedKeyframe> keyframes;
+  for (const Run& run : runs) {
+    for (const auto& [id, known] : run.map.semantic.keyframes) {
+      mapping::MappedKeyframe& keyframe = keyframes.emplace(id, known).first->second;
+      keyframe.piece = joined.pieces.pieceOf(known.piece);
+      keyframe.zone.clear();
+      const auto placed = joined.T_joined_cam.find(id);
+      if (placed != joined.T_joined_cam.end()) keyframe.T_map_cam = placed->second;
+    }
   }
+  return keyframes;
 }
 
-/// All maps side by side, each piece in a frame of its own but for what has nothing to follow.
-pipeline::EarlierMap sideBySide(std::vector<Run>& runs, const JoinedRuns& joined) {
-  pipeline::EarlierMap all;
-  all.semantic.piece = joined.map;
-  for (Run& run : runs) {
-    moveWhatIsGone(run, joined);
-    all.semantic.keyframes.merge(run.map.semantic.keyframes);
-    all.semantic.cloud.merge(run.map.semantic.cloud);
-    all.semantic.objects.merge(run.map.semantic.objects);
-    all.semantic.nextObjectId = std::max(all.semantic.nextObjectId, run.map.semantic.nextObjectId);
-    all.memory.tiles.merge(run.map.memory.tiles);
-    all.memory.objects.merge(run.map.memory.objects);
-    all.memory.pairs.merge(run.map.memory.pairs);
-  }
-  return all;
-}
-
-/// Everything goes where the graph has it; what stood there later counts; then the pieces become one.
-void fuse(mapping::MapBuilder& builder, const JoinedRuns& joined, const ProgressSink& progress) {
-  odometry::MapUpdate moved;
-  moved.T_map_cam = joined.T_joined_cam;
-  builder.apply(moved);
-  builder.compareRuns(joined.graph.keyframes, joined.pieces);
-  for (std::size_t i = 0; i < joined.joins.size(); ++i) {
-    odometry::MapUpdate update;
-    update.joined = joined.joins[i];
-    builder.apply(update);
-    progress({"join", i + 1, joined.joins.size()});
-  }
-}
-
-storage::GraphContent contentOf(const graph::SavedGraph& graph) {
-  storage::GraphContent content;
-  for (const auto& keyframe : graph.keyframes) content.sightings[keyframe->id] = keyframe->sightings;
-  content.p_map_m = graph.p_map_m;
-  return content;
-}
-
-mapping::MapParts allOf(const JoinedRuns& joined, mapping::ObjectId nextObjectId) {
-  mapping::MapParts parts;
-  for (const auto& keyframe : joined.graph.keyframes) parts.keyframes.insert(keyframe->id);
-  parts.tiles = parts.keyframes;
-  for (mapping::ObjectId id = 1; id < nextObjectId; ++id) parts.objects.insert(id);
-  return parts;
-}
-
-storage::MapChanges everythingOf(mapping::MapBuilder& builder, const JoinedRuns& joined) {
-  const mapping::SemanticMap map = builder.map();
-  const mapping::MapParts parts = allOf(joined, map.nextObjectId);
-  storage::MapChanges all = storage::everythingOf(builder.map(parts));
-  all.floorPlan = map.floorPlan;
-  all.mapPiece = map.piece;
-  all.views = joined.graph.keyframes;
-  all.graph = contentOf(joined.graph);
+/// All but what hangs on keyframes.
+storage::MapChanges graphOf(const std::vector<Run>& runs, const JoinedRuns& joined) {
+  storage::MapChanges changes;
+  changes.keyframes = placedKeyframes(runs, joined);
+  changes.mapPiece = joined.map;
+  changes.views = joined.graph.keyframes;
+  changes.graph.emplace();
+  for (const auto& keyframe : joined.graph.keyframes) changes.graph->sightings[keyframe->id] = keyframe->sightings;
+  changes.graph->p_map_m = joined.graph.p_map_m;
   for (const graph::Loop& loop : joined.graph.loops)
-    all.loops.push_back({loop.older, loop.newer, loop.T_older_newer, loop.inliers});
-  all.memory = builder.memory(parts.tiles);
-  return all;
+    changes.loops.push_back({loop.older, loop.newer, loop.T_older_newer, loop.inliers});
+  for (const Run& run : runs) changes.nextObjectId = std::max(changes.nextObjectId, run.map.semantic.nextObjectId);
+  return changes;
 }
+
+/// What tells what was there, without what recognises it.
+mapping::MapBuilder::Views depthsOf(const graph::SavedGraph& graph) {
+  mapping::MapBuilder::Views views;
+  for (const auto& keyframe : graph.keyframes) {
+    auto view = std::make_shared<odometry::Keyframe>();
+    view->id = keyframe->id;
+    view->stamp_s = keyframe->stamp_s;
+    view->camera = keyframe->camera;
+    view->depth = keyframe->depth;
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+/// Counts tiles: each is compared with what others saw, and written.
+class TileCount {
+ public:
+  TileCount(std::size_t keyframes, const ProgressSink& progress) : total_(2 * keyframes), progress_(progress) {}
+
+  void operator()() { progress_({"tile", ++done_, total_}); }
+
+ private:
+  std::size_t done_ = 0;
+  std::size_t total_;
+  const ProgressSink& progress_;
+};
+
+/// Everything that hangs on keyframes, part by part, so that no more than one part and one map are in memory.
+class PartWriter {
+ public:
+  PartWriter(const std::vector<Run>& runs, const JoinedRuns& joined, mapping::MapBuilder::Views views,
+             UnfinishedMap& file, const ProgressSink& progress)
+      : runs_(runs), joined_(joined), views_(std::move(views)), file_(file), tileDone_(views_.size(), progress) {}
+
+  void write(std::uint32_t piece, mapping::MapBuilder builder) {
+    FusedPart part(piece, runs_, joined_, views_, std::move(builder), std::ref(tileDone_));
+    const mapping::SemanticMap map = part.builder().map();
+    storage::MapChanges changes = storage::everythingOf(part.builder().map(whatIsIn(part, map)));
+    changes.floorPlan = map.floorPlan;
+    if (piece != joined_.map) {
+      changes.floorPlan.reset();
+      changes.zones.reset();
+    }
+    file_.write(changes);
+    writeTiles(part);
+  }
+
+  /// When all parts are written: it is of them all.
+  void writeMemory() {
+    storage::MapChanges changes;
+    changes.memory = std::move(memory_);
+    file_.write(changes);
+  }
+
+ private:
+  static constexpr std::size_t kTogether = 32;  // tiles
+
+  static mapping::MapParts whatIsIn(const FusedPart& part, const mapping::SemanticMap& map) {
+    mapping::MapParts all;
+    all.keyframes = part.keyframes();
+    for (mapping::ObjectId id = 1; id < map.nextObjectId; ++id) all.objects.insert(id);
+    return all;
+  }
+
+  void writeTiles(FusedPart& part) {
+    mapping::MapParts some;
+    for (const odometry::KeyframeId id : part.keyframes()) {
+      some.tiles.insert(id);
+      if (some.tiles.size() == kTogether || id == *part.keyframes().rbegin()) writeTiles(part.builder(), some);
+      tileDone_();
+    }
+  }
+
+  void writeTiles(mapping::MapBuilder& builder, mapping::MapParts& some) {
+    storage::MapChanges changes;
+    changes.cloud = builder.map(some).cloud;
+    mapping::MapMemory memory = builder.memory(some.tiles);
+    changes.memory.emplace();
+    changes.memory->tiles = std::move(memory.tiles);
+    file_.write(changes);
+    memory_.objects.merge(memory.objects);
+    memory_.pairs.merge(memory.pairs);
+    some.tiles.clear();
+  }
+
+  const std::vector<Run>& runs_;
+  const JoinedRuns& joined_;
+  mapping::MapBuilder::Views views_;
+  UnfinishedMap& file_;
+  TileCount tileDone_;
+  mapping::MapMemory memory_;  ///< Of objects.
+};
 
 /// By piece; the map first, then what has most keyframes.
 std::vector<std::pair<std::uint32_t, MergeReport::Part>> partsOf(const std::vector<Run>& runs,
@@ -149,20 +205,31 @@ MergeReport mergeMaps(const std::vector<std::filesystem::path>& maps, const std:
   storage::MapFile::requireThatOneCanBeMade(out);
   std::vector<Run> runs = readRuns(maps, progress);
   requireThatTheyFit(runs);
-  const JoinedRuns joined = joinRuns(runs, options, progress);
-  MergedZones zones = mergeZones(runs, joined);
+  const WorkFile work(out, runs, options);
+  JoinedRuns joined = joinRuns(runs, options, progress, &work);
+  const MergedZones zones = mergeZones(runs, joined);
   storage::MapHeader header{labelsOf(runs), runs.front().header.options, {}};
-  MergeReport report{{}, joined.looksBetweenRuns.size(), std::move(zones.notes)};
+  MergeReport report{{}, joined.looksBetweenRuns.size(), zones.notes};
   for (auto& [piece, part] : partsOf(runs, joined)) {
     header.from[piece] = part.fileList();
     report.parts.push_back(std::move(part));
   }
 
-  mapping::MapBuilder builder(options.mapping, settingOf(header.labels, zones.zones, options));
-  const pipeline::EarlierMap all = sideBySide(runs, joined);
-  builder.restore(all.semantic, all.memory);
-  fuse(builder, joined, progress);
-  storage::MapFile::create(out, header, everythingOf(builder, joined)).compact();
+  UnfinishedMap file(out, header, graphOf(runs, joined));
+  PartWriter writer(runs, joined, depthsOf(joined.graph), file, progress);
+  joined.graph = {};  // is in the file
+  for (Run& run : runs) {
+    run.map.graph = {};
+    moveWhatIsGone(run, joined);
+  }
+  for (const auto& [piece, keyframes] : joined.pieces.sizes()) {
+    const bool isMap = piece == joined.map;  // zones are in its frame
+    const auto setting = settingOf(header.labels, isMap ? zones.zones : std::vector<mapping::Zone>{}, options);
+    writer.write(piece, mapping::MapBuilder(options.mapping, setting));
+  }
+  writer.writeMemory();
+  file.finish();
+  work.remove();
   return report;
 }
 

@@ -13,16 +13,6 @@ using graph::PointId;
 using mapping::ObjectId;
 using pipeline::EarlierMap;
 
-/// From old numbers to new ones, of one map.
-struct Numbers {
-  std::map<KeyframeId, KeyframeId> keyframes;
-  std::map<PointId, PointId> points;
-  std::map<std::uint32_t, std::uint32_t> pieces;
-  ObjectId objectsBefore = 0;  ///< Numbers of things go on behind those of the maps before.
-
-  [[nodiscard]] ObjectId object(ObjectId id) const { return id == 0 ? 0 : id + objectsBefore; }
-};
-
 template <class Value, class Number>
 std::map<Number, Value> withNewKeys(std::map<Number, Value> values, const std::map<Number, Number>& numbers) {
   std::map<Number, Value> renumbered;
@@ -65,10 +55,7 @@ void renumberSemantic(mapping::SemanticMap& map, const Numbers& numbers) {
   map.piece = numbers.pieces.at(map.piece);
   map.keyframes = withNewKeys(std::move(map.keyframes), numbers.keyframes);
   for (auto& [id, keyframe] : map.keyframes) keyframe.piece = numbers.pieces.at(keyframe.piece);
-  map.cloud = withNewKeys(std::move(map.cloud), numbers.keyframes);
-  for (auto& [id, tile] : map.cloud) {
-    for (auto& point : tile.points) point.object = numbers.object(point.object);
-  }
+  map.cloud = renumbered(std::move(map.cloud), numbers);
   std::map<ObjectId, mapping::MapObject> objects;
   for (auto& [id, object] : map.objects) {
     object.id = numbers.object(id);
@@ -81,13 +68,7 @@ void renumberSemantic(mapping::SemanticMap& map, const Numbers& numbers) {
 }
 
 void renumberMemory(mapping::MapMemory& memory, const Numbers& numbers) {
-  memory.tiles = withNewKeys(std::move(memory.tiles), numbers.keyframes);
-  for (auto& [id, tile] : memory.tiles) {
-    for (mapping::PointMemory& point : tile) {
-      point.object = numbers.object(point.object);
-      for (mapping::ObjectVote& vote : point.votes) vote.object = numbers.object(vote.object);
-    }
-  }
+  memory.tiles = renumbered(std::move(memory.tiles), numbers);
   std::map<ObjectId, mapping::ObjectMemory> objects;
   for (auto& [id, object] : memory.objects) {
     object.piece = numbers.pieces.at(object.piece);
@@ -101,7 +82,26 @@ void renumberMemory(mapping::MapMemory& memory, const Numbers& numbers) {
 
 }  // namespace
 
-void renumber(const std::vector<EarlierMap*>& maps) {
+ShownTiles renumbered(ShownTiles tiles, const Numbers& numbers) {
+  tiles = withNewKeys(std::move(tiles), numbers.keyframes);
+  for (auto& [id, tile] : tiles) {
+    for (auto& point : tile.points) point.object = numbers.object(point.object);
+  }
+  return tiles;
+}
+
+TileMemories renumbered(TileMemories tiles, const Numbers& numbers) {
+  tiles = withNewKeys(std::move(tiles), numbers.keyframes);
+  for (auto& [id, tile] : tiles) {
+    for (mapping::PointMemory& point : tile) {
+      point.object = numbers.object(point.object);
+      for (mapping::ObjectVote& vote : point.votes) vote.object = numbers.object(vote.object);
+    }
+  }
+  return tiles;
+}
+
+std::vector<Numbers> renumber(const std::vector<EarlierMap*>& maps) {
   std::vector<Numbers> numbers(maps.size());
   std::uint32_t piece = 0;
   for (std::size_t i = 0; i < maps.size(); ++i) numbers[i].pieces[maps[i]->semantic.piece] = ++piece;
@@ -123,6 +123,7 @@ void renumber(const std::vector<EarlierMap*>& maps) {
     renumberMemory(maps[i]->memory, numbers[i]);
     maps[i]->graph.freeSubmap = piece + 1;
   }
+  return numbers;
 }
 
 }  // namespace wardslam::merging

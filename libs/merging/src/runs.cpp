@@ -7,7 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "renumbering.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::merging {
@@ -18,6 +17,8 @@ Run readRun(const std::filesystem::path& file) {
   run.file = file;
   run.header = storage::MapFile::open(file, storage::MapAccess::Untouched).header();
   run.map = pipeline::readEarlierMap(file, graph::Saved::MayChange, storage::MapAccess::Untouched);
+  run.map.semantic.cloud.clear();
+  run.map.memory.tiles.clear();
   return run;
 }
 
@@ -84,8 +85,18 @@ std::vector<Run> readRuns(const std::vector<std::filesystem::path>& maps, const 
   nameRuns(runs);
   std::vector<pipeline::EarlierMap*> all;
   for (Run& run : runs) all.push_back(&run.map);
-  renumber(all);
+  const auto numbers = renumber(all);
+  for (std::size_t i = 0; i < runs.size(); ++i) runs[i].numbers = numbers[i];
   return runs;
+}
+
+RunCloud readCloud(const Run& run) {
+  const auto file = storage::MapFile::open(run.file, storage::MapAccess::Untouched);
+  RunCloud cloud;
+  cloud.known = renumbered(file.readMemory().tiles, run.numbers);
+  cloud.shown = renumbered(file.read(storage::CloudPart::Include, storage::PiecePart::All).cloud, run.numbers);
+  for (const auto& [id, tile] : cloud.known) cloud.shown.erase(id);
+  return cloud;
 }
 
 void requireThatTheyFit(const std::vector<Run>& runs) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "renumbering.h"
 #include "wardslam/merging/map_merge.h"
 #include "wardslam/pipeline/earlier_map.h"
 #include "wardslam/storage/map_file.h"
@@ -15,8 +16,18 @@ struct Run {
   std::filesystem::path file;
   std::string name;  ///< The file without folders; with the last of them where others are called the same.
   storage::MapHeader header;
-  pipeline::EarlierMap map;
+  pipeline::EarlierMap map;  ///< Without the cloud, which is by far the most of it.
+  Numbers numbers;           ///< What became of those in the file.
 };
+
+/// All of a run's cloud, under the numbers of the run.
+struct RunCloud {
+  TileMemories known;
+  ShownTiles shown;  ///< Of which no more is known.
+};
+
+/// From the file. Throws core::InputError.
+[[nodiscard]] RunCloud readCloud(const Run& run);
 
 /// Whether maps share keyframes: then one of them is the other, gone on with.
 [[nodiscard]] bool shareKeyframes(const Run& a, const Run& b);

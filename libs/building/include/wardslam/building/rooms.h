@@ -22,7 +22,7 @@ struct Room {
 struct Door {
   int room = 0;  ///< The smaller id of both.
   int other = 0;
-  Eigen::Vector2d from_m = Eigen::Vector2d::Zero();  ///< The narrowest line across it, map frame.
+  Eigen::Vector2d from_m = Eigen::Vector2d::Zero();  ///< The shortest line across it, map frame.
   Eigen::Vector2d to_m = Eigen::Vector2d::Zero();
   double width_m = 0.0;  ///< Of the passage: twice the way from the middle to the nearest wall.
 

@@ -19,7 +19,8 @@ enum class BlobKind : std::uint8_t {
   FreeFan = 'S',
   TileMemory = 'M',
   DepthView = 'D',
-  Observation = 'O'
+  Observation = 'O',
+  MergeWork = 'W'
 };
 
 /// A blob is not what it should be; says how, not where.

@@ -13,6 +13,7 @@
 
 namespace wardslam::graph {
 
+struct GraphState;
 using odometry::KeyframeId;
 using odometry::PointId;
 
@@ -78,6 +79,10 @@ class KeyframeGraph {
   /// All keyframes of one submap now belong to the other, in whose frame they are settled no more; poses are not
   /// touched.
   void joinSubmaps(std::uint32_t from, std::uint32_t into);
+
+  /// What changed since the keyframes came, for resume() of a graph to which the same ones have come.
+  [[nodiscard]] GraphState state() const;
+  void resume(const GraphState& state);
 
   /// What follows is a trial: poses, positions, sightings removed, points fused, submaps joined and what is unsettled
   /// can be taken back whole. Costs what is changed, not what is there. No keyframe comes or goes meanwhile.

@@ -13,6 +13,7 @@
 #include "wardslam/graph/graph_options.h"
 #include "wardslam/graph/keyframe_graph.h"
 #include "wardslam/graph/loop_verification.h"
+#include "wardslam/graph/mapper_state.h"
 #include "wardslam/graph/place_recognition.h"
 #include "wardslam/graph/saved_graph.h"
 #include "wardslam/odometry/map_update.h"
@@ -55,8 +56,16 @@ class Mapper {
   /// A further run that knows nothing of what is there, restored beside it: where its keyframes, in order, show a place
   /// of what was there before, loops are closed and pieces joined as insert() does. Its submaps, keyframes and points
   /// have higher numbers. `onKeyframe` hears after each of them what that changed, be it nothing; what it throws ends
-  /// it.
-  void meet(const SavedGraph& other, const std::function<void(const odometry::MapUpdate&)>& onKeyframe);
+  /// it. `done`: of its keyframes so many have looked already, as resume() knows.
+  void meet(const SavedGraph& other, const std::function<void(const odometry::MapUpdate&)>& onKeyframe,
+            std::size_t done = 0);
+
+  /// To go on with meet() from here, another time. May be asked for while `onKeyframe` hears.
+  [[nodiscard]] MapperState state() const;
+
+  /// Before anything else: takes in the runs that were restored and met when state() told of it, in the same order; the
+  /// last of them may not have looked with all its keyframes by then.
+  void resume(const std::vector<const SavedGraph*>& runs, const MapperState& state);
 
   [[nodiscard]] const KeyframeGraph& graph() const { return graph_; }
   /// Those that tie keyframes together still: one between an old keyframe and one given up for it is no more needed.
@@ -64,7 +73,8 @@ class Mapper {
   [[nodiscard]] std::size_t loopsClosed() const { return loopsClosed_; }
   /// Closed, and taken back with all they had changed as they did not fit: nobody was told of them.
   [[nodiscard]] std::size_t loopsTakenBack() const { return loopsTakenBack_; }
-  [[nodiscard]] std::size_t submapsJoined() const { return submapsJoined_; }
+  [[nodiscard]] std::size_t submapsJoined() const { return joins_.size(); }
+  [[nodiscard]] const std::vector<odometry::SubmapJoin>& joins() const { return joins_; }  ///< In their order.
   [[nodiscard]] const odometry::Pieces& pieces() const { return pieces_; }
 
   /// After the last keyframe: joins two pieces by the best that was seen, though it was less than is asked for while
@@ -85,7 +95,9 @@ class Mapper {
   void cullKeyframes(KeyframeId newest, odometry::MapUpdate& update);
   void remove(KeyframeId id, odometry::MapUpdate& update);
   void rememberPlaces(KeyframeId newest);
-  void rememberPlace(KeyframeId id);
+  [[nodiscard]] RememberedPlace lastingLooksOf(KeyframeId id) const;
+  void remember(const RememberedPlace& place);
+  void remember(std::vector<RememberedPlace> places);
   [[nodiscard]] std::vector<Loop> recognise(KeyframeId newest, KeyframeId before);
   [[nodiscard]] bool isBelievable(const Loop& loop);
   [[nodiscard]] bool areMistakable(const std::vector<Loop>& loops);
@@ -114,9 +126,10 @@ class Mapper {
   std::unique_ptr<LoopConfirmation> confirmation_;
   std::unique_ptr<Lookalikes> lookalikes_;
   std::vector<Loop> loops_;
+  std::vector<odometry::SubmapJoin> joins_;
+  std::vector<std::vector<RememberedPlace>> remembered_;  ///< Of earlier runs.
   std::size_t loopsClosed_ = 0;
   std::size_t loopsTakenBack_ = 0;
-  std::size_t submapsJoined_ = 0;
 };
 
 }  // namespace wardslam::graph

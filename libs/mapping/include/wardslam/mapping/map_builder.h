@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -57,7 +58,8 @@ class MapBuilder {
   MapBuilder(MapBuilder&&) noexcept;
   MapBuilder& operator=(MapBuilder&&) noexcept;
 
-  /// Goes on with the map of an earlier run, all its pieces: the piece that is the map stays it. Before anything else.
+  /// Goes on with the map of an earlier run, all its pieces: the piece that is the map stays it. Before anything else,
+  /// and again for maps that share no number with those before; then the first one's piece is the map.
   /// What is read is told again as it is, to the last digit, until somebody sees it or its keyframes move. Where the
   /// memory lacks something, it is made up from what the map shows. Zones of an earlier run give way to those of this
   /// one.
@@ -76,8 +78,11 @@ class MapBuilder {
   /// Of pieces that are runs which knew nothing of each other, before they are joined: what stood there later counts.
   /// What a later run saw through is taken away, things with it, which are gone then; and things stand where an earlier
   /// run saw nothing, so they may be some that are gone elsewhere. `joined`: which pieces will be one.
+  /// Of the views, id, stamp, camera and depth count. `onTile` hears after each tile; what it throws ends the work, and
+  /// then the builder is of no more use.
   using Views = std::vector<std::shared_ptr<const odometry::Keyframe>>;
-  void compareRuns(const Views& views, const odometry::Pieces& joined);
+  void compareRuns(
+      const Views& views, const odometry::Pieces& joined, const std::function<void()>& onTile = [] {});
 
   /// The map as it is now, without pieces that are not joined to it.
   [[nodiscard]] SemanticMap map();

@@ -18,7 +18,7 @@ struct Progress {
   std::size_t total = 0;
 };
 
-/// Hears of progress. What it throws ends the work; then nothing is written.
+/// Hears of progress. What it throws ends the work.
 using ProgressSink = std::function<void(const Progress&)>;
 
 struct MergeReport {
@@ -34,9 +34,10 @@ struct MergeReport {
 };
 
 /// Reads maps, finds the places they have in common, adjusts one graph, makes points, cloud, things and zones one, and
-/// writes `out`, which is there when it is complete. The maps are not touched. It does not matter in which order they
-/// are named: the frame is that of the oldest map of the largest part. Of `options`, those of the map, the graph and
-/// the knowledge count. Throws core::InputError.
+/// writes `out`, which is there when it is complete. Work that was ended is kept beside it as `out`.merging, and gone
+/// on from when the same maps are merged again with the same options; the result is the same. The maps are not touched.
+/// It does not matter in which order they are named: the frame is that of the oldest map of the largest part. Of
+/// `options`, those of the map, the graph and the knowledge count. Throws core::InputError.
 MergeReport mergeMaps(const std::vector<std::filesystem::path>& maps, const std::filesystem::path& out,
                       const pipeline::SlamOptions& options, const ProgressSink& progress);
 
