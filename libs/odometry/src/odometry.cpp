@@ -6,6 +6,7 @@
 
 #include "constant_velocity.h"
 #include "depth_anchor.h"
+#include "keyframe_need.h"
 #include "pose_tracker.h"
 #include "rolling_shutter.h"
 #include "wardslam/core/rigid_transform.h"
@@ -15,16 +16,6 @@ namespace {
 
 /// Keyframes a mapper may lag behind; where there is none, memory stays bounded.
 constexpr std::size_t kMostAwaited = 256;
-
-/// From a keyframe whose points are not found to the next one: blur shows others in every image.
-constexpr std::uint64_t kLitFrames = 5;
-
-/// In the dark: what the camera sees now hangs on a keyframe that saw as much of it.
-bool isFar(const Eigen::Isometry3d& T_keyframe_cam) {
-  constexpr double kFar_m = 0.5;
-  constexpr double kFar_rad = 0.5;
-  return T_keyframe_cam.translation().norm() > kFar_m || Eigen::AngleAxisd(T_keyframe_cam.linear()).angle() > kFar_rad;
-}
 
 std::vector<PointId> pointsOf(const Keyframe& keyframe) {
   std::vector<PointId> points;
@@ -127,7 +118,7 @@ class Odometry::Tracker {
   void moveWhatIsYounger(const Eigen::Isometry3d& correction);
   void updateMap(const TrackedImage& view, const Tracking& tracking);
   [[nodiscard]] std::vector<std::size_t> newPointCandidates(const TrackedImage& view, const Tracking& tracking) const;
-  [[nodiscard]] bool needsKeyframe(const TrackedImage& view, const Tracking& tracking, std::size_t newPoints) const;
+  [[nodiscard]] SinceKeyframe sinceKeyframe(const TrackedImage& view) const;
   std::shared_ptr<const Keyframe> insertKeyframe(const TrackedImage& view, const Tracking& tracking,
                                                  const std::vector<std::size_t>& newPoints);
   [[nodiscard]] OdometryResult result(const Tracking& tracking, std::shared_ptr<const Keyframe> keyframe) const;
@@ -279,7 +270,7 @@ OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Trackin
 
   lastKeyframe_.mostTracked = std::max(lastKeyframe_.mostTracked, tracking.inliers.size());
   const auto newPoints = newPointCandidates(view, tracking);
-  const bool isKeyframe = needsKeyframe(view, tracking, newPoints.size());
+  const bool isKeyframe = needsKeyframe(options_, tracking, newPoints.size(), sinceKeyframe(view));
   OdometryResult accepted = result(tracking, isKeyframe ? insertKeyframe(view, tracking, newPoints) : nullptr);
   accepted.covariance = covariance_;
   return accepted;
@@ -335,19 +326,9 @@ std::vector<std::size_t> Odometry::Tracker::newPointCandidates(const TrackedImag
   return candidates;
 }
 
-bool Odometry::Tracker::needsKeyframe(const TrackedImage& view, const Tracking& tracking, std::size_t newPoints) const {
-  const KeyframeOptions& keyframes = options_.keyframes;
-  if (tracking.isGuess) return false;
-  const std::uint64_t gap = view.frame - lastKeyframe_.frame;
-  if (tracking.isHeldByDepth && isFar(lastKeyframe_.T_map_cam.inverse() * T_cam_map_.inverse())) return true;
-  const bool showsPointsAtLast = tracking.isHeldByDepth && lastKeyframe_.mostTracked == 0 && gap >= kLitFrames &&
-                                 static_cast<int>(newPoints) >= options_.min_initial_points;
-  if (showsPointsAtLast) return true;
-  if (static_cast<int>(newPoints) < keyframes.min_new_points) return false;
-  const bool isLate = gap >= static_cast<std::uint64_t>(keyframes.max_frame_gap);
-  const bool hasLeft = static_cast<double>(tracking.inliers.size()) <
-                       keyframes.min_tracked_fraction * static_cast<double>(lastKeyframe_.mostTracked);
-  return isLate || hasLeft;
+SinceKeyframe Odometry::Tracker::sinceKeyframe(const TrackedImage& view) const {
+  return {view.frame - lastKeyframe_.frame, lastKeyframe_.mostTracked,
+          lastKeyframe_.T_map_cam.inverse() * T_cam_map_.inverse()};
 }
 
 std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedImage& view, const Tracking& tracking,
