@@ -95,10 +95,13 @@ BENCHMARK(descriptorsAndTest)->Arg(5)->Arg(21)->Arg(55)->Unit(benchmark::kMicros
 
 void distanceOfAll(benchmark::State& state) {
   const cv::Mat classIds = wardScene().classIds;
-  const cv::Mat descriptors = features::describeSemantics(classIds, randomKeypoints(), 21);
+  const auto keypoints = randomKeypoints();
+  const features::SemanticDescriptors ofImage(classIds, 21);
+  std::vector<core::SemanticDescriptor> descriptors;
+  for (const core::Keypoint& keypoint : keypoints) descriptors.push_back(ofImage.of(keypoint));
   for (auto _ : state) {
-    for (int i = 1; i < descriptors.rows; ++i) {
-      benchmark::DoNotOptimize(features::semanticDistance(descriptors.row(i - 1), descriptors.row(i)));
+    for (std::size_t i = 1; i < descriptors.size(); ++i) {
+      benchmark::DoNotOptimize(core::differenceOf(descriptors[i - 1], descriptors[i]));
     }
   }
 }

@@ -205,7 +205,6 @@ Tracking Odometry::Tracker::find(TrackedImage& view) {
 Tracking Odometry::Tracker::findNear(TrackedImage& view, const PosePrior& expected) {
   const Tracking byPoints = poseTracker_.track(view, map_, lastSeen_, expected.T_cam_map);
   const bool isGood = poseTracker_.isGood(byPoints);
-  if (!isGood && worstSigma_m(expected.covariance) > options_.depth_alignment.max_start_sigma_m) return byPoints;
   const bool areMany = static_cast<int>(byPoints.inliers.size()) >= options_.depth_alignment.below_inliers;
   const auto held = anchor_.hold(expected, isGood ? byPoints.T_cam_map : expected.T_cam_map,
                                  areMany ? AlignmentStart::IsNear : AlignmentStart::MayBeFar);
@@ -213,7 +212,8 @@ Tracking Odometry::Tracker::findNear(TrackedImage& view, const PosePrior& expect
   const auto others = std::exchange(view.prior, held->pose);
   if (areMany) return poseTracker_.trackAgain(view, map_, byPoints);
   Tracking byBoth = poseTracker_.trackBesideDepth(view, map_, lastSeen_, held->pose.T_cam_map);
-  if (isGood && byBoth.isHeldByDepth) {  // points know better than a pose at which they are not found
+  const bool isUnsure = worstSigma_m(expected.covariance) > options_.depth_alignment.max_start_sigma_m;
+  if (byBoth.isHeldByDepth && (isGood || isUnsure)) {  // points know better than a pose at which they are not found
     view.prior = others;
     return byPoints;
   }
