@@ -115,9 +115,10 @@ struct DepthAlignmentOptions {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("below_inliers", self.below_inliers, {0, 100000}, "count",
-          "matched points: with fewer, the surfaces of depth images lead the search for points, and hold the pose alone "
-          "where there are too few; with more they are one more measurement");
+    visit(
+        "below_inliers", self.below_inliers, {0, 100000}, "count",
+        "matched points: with fewer, the surfaces of depth images lead the search for points, and hold the pose alone "
+        "where there are too few; with more they are one more measurement");
     visit("anchor_distance", self.anchor_distance_m, {0.01, 5.0}, "m", "between images that others are aligned to");
     visit("anchor_angle", self.anchor_angle_rad, {0.01, 3.0}, "rad", "likewise");
     visit("min_overlap", self.min_overlap, {0.0, 1.0}, "",
