@@ -59,7 +59,7 @@ class ObjectDatabase {
   /// An object of an earlier map.
   void restore(ObjectId id, const ObjectRecord& record) { objects_[id] = record; }
   void restore(const std::map<std::pair<ObjectId, ObjectId>, PairMemory>& pairs) {
-    relations_.insert(pairs.begin(), pairs.end());
+    for (const auto& [pair, memory] : pairs) relations_[pair] = memory;
   }
 
   /// The object each detection of one view shows; new ones get an id from `nextId`. `inSight`: how many points of each
