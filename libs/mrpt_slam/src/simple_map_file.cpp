@@ -108,7 +108,8 @@ std::size_t makeMapFile(const mrpt::maps::CSimpleMap& simple, const pipeline::Sl
   track(views, slam);
   slam.finish();
   const std::size_t placed = slam.trajectory().size();
-  if (placed == 0) {
+  const auto least = static_cast<std::size_t>(options.odometry.min_initial_points);
+  if (placed == 0 || slam.mapper().graph().points().size() < least) {  // surfaces alone tell no place from another
     throw core::InputError("none of the " + std::to_string(views.size()) +
                            " keyframes of the simple map shows enough to recognise a place by");
   }
