@@ -29,7 +29,7 @@ TEST(DoctorCommand, FindsAllInOrderAndWritesABundleWithoutFolders) {
                             HasSubstr("\"frames_tracked\": 12"), HasSubstr("class_name"), HasSubstr("keyframes: ")));
   EXPECT_THAT(report, Not(HasSubstr(folder.path().string())));
   EXPECT_THAT(report, Not(HasSubstr(room.path().string())));
-  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 7) << "nothing is left behind where the disk was tried";
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 8) << "nothing is left behind where the disk was tried";
 }
 
 TEST(DoctorCommand, TellsByItsExitCodeWhatDoesNotWork) {
