@@ -427,7 +427,8 @@ TEST_F(RunCommand, APictureOfNothingIsNotTracked) {
   const test::RoomRecording room(2, 4);
   const auto blank = folder.write(
       "camera.yaml", "width: 320\nheight: 240\nfx: 262.5\nfy: 262.5\ncx: 159.5\ncy: 119.5\ndepth_factor: 5000\n");
-  const auto strict = folder.write("strict.yaml", "odometry: {min_initial_points: 10000}\nfilters: []\n");
+  const auto strict = folder.write(
+      "strict.yaml", "odometry: {min_initial_points: 10000, depth_alignment: {max_sigma: 0.001}}\nfilters: []\n");
   expectError(run(room.path(), {"--camera", blank, "--config", strict}), 1, "no frame could be tracked");
   EXPECT_EQ(summary().at("frames_tracked"), 0);
   EXPECT_EQ(summary().at("frames"), 4);

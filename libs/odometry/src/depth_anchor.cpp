@@ -55,7 +55,8 @@ bool DepthAnchor::wouldHold() {
   if (depth_.depth_m.empty()) return false;
   const DepthAlignment onItself =
       alignDepth(*surface(), *surface(), Eigen::Isometry3d::Identity(), AlignmentStart::IsNear);
-  return onItself.open == 0 && onItself.overlap >= options_.min_overlap;
+  return onItself.open == 0 && onItself.overlap >= options_.min_overlap &&
+         worstSigma_m(onItself.information.inverse()) <= options_.max_sigma_m;
 }
 
 std::optional<HeldPose> DepthAnchor::hold(const PosePrior& predicted, const Eigen::Isometry3d& T_cam_map_start,
