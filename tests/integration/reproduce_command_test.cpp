@@ -169,7 +169,7 @@ TEST_F(ReproduceCommand, AnInterruptionEndsRendering) {
       "3600}\n";
   test::RunningProgram program(
       "wardslam", {"reproduce", folder.write("plan.yaml", yaml), "--data", folder.path() / "data", "--out", out});
-  const fs::path begun = folder.path() / "data/ward.partial/sequence";
+  const fs::path begun = folder.path() / "data/ward.partial/out.txt";
   for (int i = 0; i < 6000 && !fs::exists(begun); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ASSERT_TRUE(fs::exists(begun));
   program.send(SIGTERM);
