@@ -80,7 +80,9 @@ Json toJson(const building::Rooms& rooms, Contents& contents, const std::vector<
                      {"to", toJson(door.to_m)},
                      {"width_m", door.width_m}});
   }
-  return {{"rooms", list}, {"doors", doors}, {"storeys", toJson(storeys)}};
+  Json answer = {{"rooms", list}, {"doors", doors}};
+  if (storeys.size() > 1) answer["storeys"] = toJson(storeys);  // of one alone there is nothing to tell
+  return answer;
 }
 
 void print(std::ostream& out, const std::vector<building::Storey>& storeys) {
