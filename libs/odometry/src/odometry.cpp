@@ -1,6 +1,7 @@
 #include "wardslam/odometry/odometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <utility>
 
@@ -16,6 +17,13 @@ namespace {
 
 /// Keyframes a mapper may lag behind; where there is none, memory stays bounded.
 constexpr std::size_t kMostAwaited = 256;
+
+/// What the way since then adds to how unsure a pose is: the anchor moves with the pose, and errs as that does.
+double addedSigma_m(const PoseCovariance& before, const PoseCovariance& now) {
+  const double was_m = worstSigma_m(before);
+  const double is_m = worstSigma_m(now);
+  return std::sqrt(std::max(0.0, is_m * is_m - was_m * was_m));
+}
 
 std::vector<PointId> pointsOf(const Keyframe& keyframe) {
   std::vector<PointId> points;
@@ -212,7 +220,7 @@ Tracking Odometry::Tracker::findNear(TrackedImage& view, const PosePrior& expect
   const auto others = std::exchange(view.prior, held->pose);
   if (areMany) return poseTracker_.trackAgain(view, map_, byPoints);
   Tracking byBoth = poseTracker_.trackBesideDepth(view, map_, lastSeen_, held->pose.T_cam_map);
-  const bool isUnsure = worstSigma_m(expected.covariance) > options_.depth_alignment.max_start_sigma_m;
+  const bool isUnsure = addedSigma_m(covariance_, expected.covariance) > options_.depth_alignment.max_start_sigma_m;
   if (byBoth.isHeldByDepth && (isGood || isUnsure)) {  // points know better than a pose at which they are not found
     view.prior = others;
     return byPoints;
