@@ -129,6 +129,15 @@ void PoseProblem::addPrior(const Eigen::Isometry3d& T_cam_map, NormalEquations& 
   equations.add(J, error, huberWeight(error.squaredNorm(), kChiSquareOfPrior));
 }
 
+/// The camera's own motion is the map's the other way round: the products are the same.
+PoseCovariance PoseProblem::information(const Eigen::Isometry3d& T_cam_map) const {
+  NormalEquations equations;
+  for (const Sighting& sighting : sightings_) {
+    addSighting(sighting, T_cam_map * sighting.p_map_m, /*robust=*/false, equations);
+  }
+  return equations.H;
+}
+
 std::vector<bool> PoseProblem::fitting(const Eigen::Isometry3d& T_cam_map) const {
   std::vector<bool> fits;
   fits.reserve(sightings_.size());

@@ -21,7 +21,10 @@ class PoseProblem {
   [[nodiscard]] Eigen::Isometry3d minimise(const Eigen::Isometry3d& T_cam_map, const std::vector<bool>& use,
                                            bool robust) const;
 
-  /// Per observation, whether 95 % of correct ones have a larger error at this pose.
+  /// Of the observations at this pose, all of them, large errors not bent; the prior left out.
+  [[nodiscard]] PoseCovariance information(const Eigen::Isometry3d& T_cam_map) const;
+
+  /// Per observation, whether its error at this pose is one of the smaller 95 % that correct ones have.
   [[nodiscard]] std::vector<bool> fitting(const Eigen::Isometry3d& T_cam_map) const;
   [[nodiscard]] std::vector<bool> inFront(const Eigen::Isometry3d& T_cam_map) const;
 

@@ -7,28 +7,10 @@
 #include <opencv2/core/eigen.hpp>
 
 #include "pose_problem.h"
-#include "wardslam/core/rotation_vector.h"
 #include "wardslam/odometry/observation_error.h"
 
 namespace wardslam::odometry {
 namespace {
-
-/// d (measurement in units of its standard deviation) / d (translation, rotation vector of the camera's own motion).
-Eigen::Matrix<double, 3, 6> jacobian(const PointObservation& observation, const core::CameraModel& camera,
-                                     const PoseSolverOptions& options, const Eigen::Vector3d& p_cam_m) {
-  const core::Keypoint& keypoint = observation.keypoint;
-  const double sigma_px = options.pixel_sigma_px * static_cast<double>(keypoint.scale);
-  const double z_m = p_cam_m.z();
-  Eigen::Matrix3d ofPoint;
-  ofPoint << camera.fx_px / z_m / sigma_px, 0.0, -camera.fx_px * p_cam_m.x() / (z_m * z_m) / sigma_px,  //
-      0.0, camera.fy_px / z_m / sigma_px, -camera.fy_px * p_cam_m.y() / (z_m * z_m) / sigma_px,         //
-      0.0, 0.0,
-      keypoint.hasDepth() ? 1.0 / (options.depth_sigma_scale * core::depthSigma_m(keypoint, camera.depthNoise)) : 0.0;
-  Eigen::Matrix<double, 3, 6> ofPose;
-  ofPose.leftCols<3>() = -Eigen::Matrix3d::Identity();
-  ofPose.rightCols<3>() = core::crossProductWith(p_cam_m);
-  return ofPoint * ofPose;
-}
 
 /// Minimises over the observations that `use` selects, then over those that fit.
 PoseEstimate refineFrom(Eigen::Isometry3d T_cam_map, std::vector<bool> use, const PoseProblem& problem) {
@@ -55,12 +37,7 @@ PoseCovariance PoseSolver::covariance(const std::vector<PointObservation>& obser
   constexpr double kAlmostNothing = 1e-6;  // of a standard deviation of a kilometre
   PoseCovariance information = kAlmostNothing * PoseCovariance::Identity();
   if (prior != nullptr) information += prior->covariance.inverse();
-  for (const PointObservation& observation : observations) {
-    const Eigen::Vector3d p_cam_m = T_cam_map * observation.p_map_m;
-    if (p_cam_m.z() < 0.01) continue;
-    const auto J = jacobian(observation, camera, options_, p_cam_m);
-    information += static_cast<double>(observation.keypoint.staticProbability) * J.transpose() * J;
-  }
+  information += PoseProblem(observations, camera, options_, nullptr).information(T_cam_map);
   return information.inverse();
 }
 
