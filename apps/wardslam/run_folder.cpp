@@ -90,7 +90,12 @@ nlohmann::ordered_json toJson(const LiveRun& live, std::size_t processed) {
 
 void writeTrajectory(const std::filesystem::path& file, const core::Trajectory& trajectory, double stampOrigin_s) {
   exchange::TumTrajectoryWriter writer(file);
-  for (const auto& [stamp_s, T_map_cam] : trajectory) writer.write({stamp_s - stampOrigin_s, T_map_cam});
+  bool wasBridged = false;
+  for (const auto& [stamp_s, T_map_cam, isBridged] : trajectory) {
+    if (isBridged != wasBridged) writer.writeComment(isBridged ? "not seen, but on the way between:" : "seen again");
+    wasBridged = isBridged;
+    writer.write({stamp_s - stampOrigin_s, T_map_cam});
+  }
   writer.finish();
 }
 
@@ -133,12 +138,17 @@ nlohmann::ordered_json floorJson(const mapping::FloorSeen& floor) {
       {"keyframes", floor.keyframes}, {"seen", floor.seen}, {"tilt_deg", rounded(floor.tilt_rad * 180.0 / M_PI, 2)}};
 }
 
-nlohmann::ordered_json toJson(const RunSummary& summary, double elapsed_s) {
+std::ptrdiff_t bridgedOf(const core::Trajectory& trajectory) {
+  return std::count_if(trajectory.begin(), trajectory.end(), [](const auto& pose) { return pose.isBridged; });
+}
+
+nlohmann::ordered_json toJson(const RunSummary& summary, const core::Trajectory& trajectory, double elapsed_s) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json;
   json["frames"] = statistics.frames();
   json["frames_tracked"] = statistics.framesTracked();
   json["coverage"] = statistics.coverage();
+  json["frames_bridged"] = bridgedOf(trajectory);
   json["lost_events"] = statistics.lostEvents();
   json["frames_held_by_depth"] = statistics.framesHeldByDepth();
   json["readout_ms"] = rounded(1e3 * statistics.readout_s(), 1);
@@ -208,7 +218,8 @@ void RunFolder::finish(const RunSummary& summary) {
   failure.attempt([&] { frames_.finish(); });
   failure.attempt([&] { load_.finish(); });
   failure.attempt([&] { removeTrajectoriesOfPieces(folder_); });
-  failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", summary.slam.trajectory(), stampOrigin_s_); });
+  const core::Trajectory inMap = summary.slam.trajectory();
+  failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", inMap, stampOrigin_s_); });
   failure.attempt([&] {
     for (const auto& [piece, trajectory] : summary.slam.unjoinedTrajectories()) {
       writeTrajectory(folder_ / ("trajectory_piece_" + std::to_string(piece) + ".txt"), trajectory, stampOrigin_s_);
@@ -219,7 +230,7 @@ void RunFolder::finish(const RunSummary& summary) {
   });
   failure.attempt([&] {
     const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    core::writeFileAtomically(folder_ / "summary.json", toJson(summary, elapsed_s).dump(2) + "\n");
+    core::writeFileAtomically(folder_ / "summary.json", toJson(summary, inMap, elapsed_s).dump(2) + "\n");
   });
   failure.rethrow();
 }

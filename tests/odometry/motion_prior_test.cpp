@@ -141,7 +141,24 @@ TEST_F(TrackingByMotionPriors, TellsHowSureAPoseIs) {
   const double sigma_m = std::sqrt(second.covariance->topLeftCorner<3, 3>().trace());
   EXPECT_GT(sigma_m, 1e-4);
   EXPECT_LT(sigma_m, 0.01);
+  stamp_s_ += 1.0;
   EXPECT_FALSE(track({}).covariance) << "nobody knows";
+}
+
+TEST_F(TrackingByMotionPriors, WithoutMotionsACameraThatIsCoveredGoesOnForAMoment) {
+  trackUntil(19);
+  const auto last = track(look(20));
+  const Eigen::Isometry3d T_map_keyframe = last.T_map_cam * last.T_keyframe_cam.inverse();
+  double before_m = 0.0;
+  for (int image = 21; image <= 24; ++image) {
+    const auto lost = track({});
+    EXPECT_EQ(lost.state, State::Lost);
+    EXPECT_LT(distance_m(lost.T_map_cam, truth(image)), 0.02) << image;
+    ASSERT_TRUE(lost.covariance);
+    EXPECT_GT(worstSigma_m(*lost.covariance), before_m) << "ever less sure";
+    before_m = worstSigma_m(*lost.covariance);
+    EXPECT_TRUE((lost.T_map_cam * lost.T_keyframe_cam.inverse()).isApprox(T_map_keyframe, 1e-9)) << image;
+  }
 }
 
 TEST_F(TrackingByMotionPriors, WhileNothingIsSeenMotionsAddUpAndTheirErrorsToo) {
@@ -161,6 +178,7 @@ TEST_F(TrackingByMotionPriors, WhileNothingIsSeenMotionsAddUpAndTheirErrorsToo) 
 TEST_F(TrackingByMotionPriors, AGapInTheMotionsIsNotBridged) {
   trackUntil(20);
   EXPECT_TRUE(track({}, motionBetween(20, 21)).covariance);
+  stamp_s_ += 1.0;
   EXPECT_FALSE(track({}).covariance);
   const auto after = track({}, motionBetween(22, 23));
   EXPECT_FALSE(after.covariance);

@@ -183,6 +183,20 @@ TEST_F(OdometryTest, DoesNotFindItselfWhereDepthSaysThatNothingIs) {
   EXPECT_EQ(odometry_.track(stamp_s_ += 1.0 / 30, SyntheticWorld::camera(), features, full).state, State::Ok);
 }
 
+TEST_F(OdometryTest, KnowsAPlaceOfWhichMorePointsAreKnownThanAnImageCanShow) {
+  for (int image = 0; image < 20; ++image) trackImage(image);
+  track({});
+  const auto all = world_.look(SyntheticWorld::T_world_cam(20, kImages), kNoise);
+  core::Features everyTenth;
+  for (std::size_t i = 0; i < all.size(); i += 10) {
+    everyTenth.keypoints.push_back(all.keypoints[i]);
+    everyTenth.descriptors.push_back(all.descriptors.row(static_cast<int>(i)));
+  }
+  const auto found = track(everyTenth);
+  ASSERT_EQ(found.state, State::Ok);
+  EXPECT_LT(distance_m(found.T_map_cam, truth(20)), 0.01);
+}
+
 TEST_F(OdometryTest, KeyframesKeepTheirDepth) {
   EXPECT_EQ(trackImage(0).keyframe->depth, nullptr) << "none was told";
   odometry_ = Odometry(options());

@@ -21,14 +21,22 @@ void record(TrajectoryRecorder& recorder, double stamp_s, odometry::State state,
   recorder.onFrame(frame, odometry);
 }
 
+/// As they were measured.
+odometry::SmoothingOptions unsmoothed() {
+  odometry::SmoothingOptions options;
+  options.velocity_change_mps = 0.0;
+  options.longest_bridge_s = 1.5;
+  return options;
+}
+
 TEST(TrajectoryRecorder, FramesFollowTheirKeyframes) {
-  TrajectoryRecorder recorder;
+  TrajectoryRecorder recorder(unsmoothed());
   record(recorder, 1.0, odometry::State::Ok, 1, at(0, 0));
   record(recorder, 2.0, odometry::State::Ok, 1, at(1, 0));
   record(recorder, 3.0, odometry::State::Lost, 1, at(9, 9));
   record(recorder, 4.0, odometry::State::Ok, 2, at(1, 0));
   const auto trajectory = recorder.corrected({{1, at(5, 0)}, {2, at(0, 7, M_PI / 2)}});
-  ASSERT_EQ(trajectory.size(), 3U) << "nothing where the camera was lost";
+  ASSERT_EQ(trajectory.size(), 3U) << "nothing where the camera was lost for long";
   EXPECT_EQ(trajectory[1].stamp_s, 2.0);
   EXPECT_EQ(trajectory[2].stamp_s, 4.0);
   EXPECT_TRUE(trajectory[0].T_map_cam.isApprox(at(5, 0)));
@@ -38,8 +46,37 @@ TEST(TrajectoryRecorder, FramesFollowTheirKeyframes) {
   EXPECT_TRUE(later[2].T_map_cam.isApprox(at(1, 0))) << "by where the keyframes are now";
 }
 
-TEST(TrajectoryRecorder, FramesOfARemovedKeyframeHangOnItsHeir) {
+TEST(TrajectoryRecorder, BridgesAMomentInWhichTheCameraWasLost) {
+  TrajectoryRecorder recorder(unsmoothed());
+  record(recorder, 1.0, odometry::State::Ok, 1, at(0, 0));
+  record(recorder, 1.5, odometry::State::Lost, 1, at(9, 9));
+  record(recorder, 2.0, odometry::State::Ok, 2, at(1, 0));
+  const auto trajectory = recorder.corrected({{1, at(5, 0)}, {2, at(6, 0)}});
+  ASSERT_EQ(trajectory.size(), 3U);
+  EXPECT_TRUE(trajectory[1].isBridged);
+  EXPECT_TRUE(trajectory[1].T_map_cam.isApprox(at(6, 0))) << "half way from 5 to 7";
+  EXPECT_FALSE(trajectory[2].isBridged);
+}
+
+TEST(TrajectoryRecorder, MeasuresCountAsTheyAreSure) {
   TrajectoryRecorder recorder;
+  for (int i = 0; i < 9; ++i) {
+    core::Frame frame;
+    frame.stamp_s = 1.0 + 0.1 * i;
+    odometry::OdometryResult odometry;
+    odometry.state = odometry::State::Ok;
+    odometry.referenceKeyframe = 1;
+    odometry.T_keyframe_cam = at(0.1 * i, i == 4 ? 0.05 : 0.0);
+    odometry.covariance = odometry::PoseCovariance::Identity() * (i == 4 ? 0.01 : 1e-6);
+    recorder.onFrame(frame, odometry);
+  }
+  const auto trajectory = recorder.corrected({{1, at(0, 0)}});
+  ASSERT_EQ(trajectory.size(), 9U);
+  EXPECT_NEAR(trajectory[4].T_map_cam.translation().y(), 0.0, 0.005) << "it was not sure at all";
+}
+
+TEST(TrajectoryRecorder, FramesOfARemovedKeyframeHangOnItsHeir) {
+  TrajectoryRecorder recorder(unsmoothed());
   record(recorder, 1.0, odometry::State::Ok, 1, at(0, 0));
   record(recorder, 2.0, odometry::State::Ok, 2, at(1, 0));
   record(recorder, 3.0, odometry::State::Ok, 3, at(1, 0));

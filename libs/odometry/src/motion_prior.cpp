@@ -2,6 +2,7 @@
 #include "wardslam/core/rotation_vector.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "wardslam/core/rigid_transform.h"
@@ -22,6 +23,12 @@ PoseCovariance adjoint(const Eigen::Isometry3d& T_b_a) {
 }  // namespace
 
 double worstSigma_m(const PoseCovariance& covariance) { return std::sqrt(covariance.diagonal().head<3>().maxCoeff()); }
+
+double addedSigma_m(const PoseCovariance& before, const PoseCovariance& now) {
+  const double was_m = worstSigma_m(before);
+  const double is_m = worstSigma_m(now);
+  return std::sqrt(std::max(0.0, is_m * is_m - was_m * was_m));
+}
 
 PoseCovariance transformed(const PoseCovariance& ofA, const Eigen::Isometry3d& T_a_b) {
   const PoseCovariance change = adjoint(T_a_b.inverse());

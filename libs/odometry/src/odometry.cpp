@@ -1,7 +1,6 @@
 #include "wardslam/odometry/odometry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "keyframe_need.h"
 #include "pose_tracker.h"
 #include "rolling_shutter.h"
+#include "seen_points.h"
 #include "wardslam/core/rigid_transform.h"
 
 namespace wardslam::odometry {
@@ -18,28 +18,12 @@ namespace {
 /// Keyframes a mapper may lag behind; where there is none, memory stays bounded.
 constexpr std::size_t kMostAwaited = 256;
 
-/// What the way since then adds to how unsure a pose is: the anchor moves with the pose, and errs as that does.
-double addedSigma_m(const PoseCovariance& before, const PoseCovariance& now) {
-  const double was_m = worstSigma_m(before);
-  const double is_m = worstSigma_m(now);
-  return std::sqrt(std::max(0.0, is_m * is_m - was_m * was_m));
-}
+/// For so long a camera that was lost is believed to go on as it went.
+constexpr double kGoesOn_s = 1.0;
 
 std::vector<PointId> pointsOf(const Keyframe& keyframe) {
   std::vector<PointId> points;
   for (const Sighting& sighting : keyframe.sightings) points.push_back(sighting.point);
-  return points;
-}
-
-std::map<PointId, SeenPoint> seenPoints(const TrackedImage& view, const std::vector<Match>& matches) {
-  std::map<PointId, SeenPoint> points;
-  for (const Match& match : matches) {
-    const core::Keypoint& keypoint = view.recorded.keypoints[match.keypoint];
-    points[match.point] = {{keypoint.undistorted_px.x, keypoint.undistorted_px.y},
-                           static_cast<double>(keypoint.depth_m),
-                           static_cast<double>(keypoint.scale),
-                           rowTime(static_cast<double>(keypoint.raw_px.y), view.camera)};
-  }
   return points;
 }
 
@@ -114,10 +98,14 @@ class Odometry::Tracker {
   OdometryResult initialise(const TrackedImage& view, const Placement& placeAnew);
   [[nodiscard]] core::SemanticDescriptor semanticDescriptorOf(const core::Features& features,
                                                               const core::Keypoint& keypoint) const;
+  [[nodiscard]] bool goesOn(const TrackedImage& view) const;
   [[nodiscard]] PosePrior expected(const TrackedImage& view) const;
   [[nodiscard]] Tracking find(TrackedImage& view);
   [[nodiscard]] Tracking findNear(TrackedImage& view, const PosePrior& expected);
   [[nodiscard]] bool isWithinReach(const TrackedImage& view, const Tracking& tracking) const;
+  [[nodiscard]] bool isCredible(const TrackedImage& view, const Tracking& tracking) const {
+    return isWithinReach(view, tracking) && poseTracker_.isBorneOut(view, map_, tracking);
+  }
   Tracking rectify(TrackedImage& view, const Tracking& tracking);
   OdometryResult accept(const TrackedImage& view, const Tracking& tracking);
   OdometryResult lose(const TrackedImage& view, const Tracking& tracking, const Placement& placeAnew);
@@ -192,6 +180,11 @@ OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Pla
   return begun;
 }
 
+/// Whether it is known where to look first.
+bool Odometry::Tracker::goesOn(const TrackedImage& view) const {
+  return state_ == State::Ok || view.prior || view.stamp_s - lastTracked_s_ <= kGoesOn_s;
+}
+
 PosePrior Odometry::Tracker::expected(const TrackedImage& view) const {
   if (view.prior) return *view.prior;
   const MotionPrior way =
@@ -200,9 +193,10 @@ PosePrior Odometry::Tracker::expected(const TrackedImage& view) const {
 }
 
 Tracking Odometry::Tracker::find(TrackedImage& view) {
-  if (state_ == State::Ok || view.prior) {
+  if (goesOn(view)) {
     const Tracking tracking = findNear(view, expected(view));
-    if (poseTracker_.isGood(tracking) || tracking.isHeldByDepth) return tracking;
+    if (tracking.isHeldByDepth) return tracking;
+    if (poseTracker_.isGood(tracking) && (state_ == State::Ok || isCredible(view, tracking))) return tracking;
   }
   Tracking tracking = poseTracker_.relocalise(view, map_);
   if (!isWithinReach(view, tracking)) tracking.inliers.clear();
@@ -289,10 +283,11 @@ OdometryResult Odometry::Tracker::lose(const TrackedImage& view, const Tracking&
   shutter_.forgetMotion();
   if (++framesLost_ <= options_.max_lost_frames) {
     OdometryResult lost = result(tracking, nullptr);
-    if (view.prior) {
-      lost.T_map_cam = view.prior->T_cam_map.inverse();
-      lost.covariance = view.prior->covariance;
-    }
+    if (!goesOn(view)) return lost;
+    const PosePrior led = expected(view);
+    lost.T_map_cam = led.T_cam_map.inverse();
+    lost.T_keyframe_cam = lastKeyframe_.T_map_cam.inverse() * lost.T_map_cam;
+    lost.covariance = led.covariance;
     return lost;
   }
   beginSubmap();

@@ -102,8 +102,8 @@ bool PoseTracker::hasRival(const TrackedImage& view, const LocalMap& map, const 
 
 bool PoseTracker::isBorneOut(const TrackedImage& view, const LocalMap& map, const Tracking& found) const {
   const RelocalisationOptions& options = options_.relocalisation;
-  if (static_cast<double>(found.inliers.size()) <
-      options.min_found_fraction * static_cast<double>(found.visible.size())) {
+  const std::size_t findable = std::min(found.visible.size(), view.features.size());
+  if (static_cast<double>(found.inliers.size()) < options.min_found_fraction * static_cast<double>(findable)) {
     return false;
   }
   const DepthView depth = makeDepthView(view.depth);

@@ -71,6 +71,10 @@ class PoseTracker {
   /// must bear out, for one place of a hospital looks like another. Else without inliers.
   [[nodiscard]] Tracking relocalise(const TrackedImage& view, const LocalMap& map) const;
 
+  /// Whether most of what should be in sight was found, and depth does not contradict: what only resembles a place does
+  /// not show that.
+  [[nodiscard]] bool isBorneOut(const TrackedImage& view, const LocalMap& map, const Tracking& found) const;
+
   /// Of a pose found in this image.
   [[nodiscard]] PoseCovariance covariance(const TrackedImage& view, const LocalMap& map,
                                           const Tracking& tracking) const;
@@ -82,7 +86,6 @@ class PoseTracker {
                                   const std::vector<Match>& matches) const;
   [[nodiscard]] bool hasRival(const TrackedImage& view, const LocalMap& map, const std::vector<Match>& matches,
                               const Tracking& found) const;
-  [[nodiscard]] bool isBorneOut(const TrackedImage& view, const LocalMap& map, const Tracking& found) const;
   /// The matches whose surroundings are alike too (P6), as far as both are known.
   [[nodiscard]] std::vector<Match> alike(const TrackedImage& view, const LocalMap& map,
                                          std::vector<Match> matches) const;

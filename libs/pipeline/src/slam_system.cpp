@@ -100,6 +100,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, Wh
       frontEnd_(options, continuationOf(earlier.graph)),
       zones_(zonesOf(options, earlier.semantic)),
       canWait_(whenBehind == WhenBehind::Waits),
+      trajectory_(options.trajectory),
       graphBuilding_(makeMapper(options, earlier), threadOf(options), graphCapacity(whenBehind)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
   if (hasEarlierMap_) pieces_ = odometry::Pieces(earlier.graph.map);

@@ -5,7 +5,10 @@
 namespace wardslam::pipeline {
 
 void TrajectoryRecorder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
-  if (odometry.hasPose()) framesOf_[odometry.referenceKeyframe].push_back({frame.stamp_s, odometry.T_keyframe_cam});
+  if (odometry.state == odometry::State::Initialising) return;
+  RelativePose pose{frame.stamp_s, odometry.T_keyframe_cam, {}, odometry.hasPose()};
+  if (odometry.covariance) pose.covariance = odometry.covariance->cast<float>();
+  framesOf_[odometry.referenceKeyframe].push_back(pose);
 }
 
 void TrajectoryRecorder::onUpdate(const odometry::MapUpdate& update) {
@@ -13,23 +16,26 @@ void TrajectoryRecorder::onUpdate(const odometry::MapUpdate& update) {
     const auto frames = framesOf_.extract(removed.id);
     if (frames.empty()) continue;
     auto& heirs = framesOf_[removed.heir];
-    for (const RelativePose& pose : frames.mapped()) {
-      heirs.push_back({pose.stamp_s, removed.T_heir_cam * pose.T_keyframe_cam});
+    for (RelativePose pose : frames.mapped()) {
+      pose.T_keyframe_cam = removed.T_heir_cam * pose.T_keyframe_cam;
+      heirs.push_back(pose);
     }
   }
 }
 
 core::Trajectory TrajectoryRecorder::corrected(
     const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const {
-  core::Trajectory trajectory;
+  std::vector<odometry::EstimatedPose> poses;
   for (const auto& [keyframe, frames] : framesOf_) {
     const auto placed = T_map_keyframe.find(keyframe);
     if (placed == T_map_keyframe.end()) continue;  // of another piece
-    const Eigen::Isometry3d& T_map = placed->second;
-    for (const RelativePose& pose : frames) trajectory.push_back({pose.stamp_s, T_map * pose.T_keyframe_cam});
+    for (const RelativePose& pose : frames) {
+      poses.push_back({pose.stamp_s, placed->second * pose.T_keyframe_cam, {}, pose.isSeen});
+      if (pose.covariance) poses.back().covariance = pose.covariance->cast<double>();
+    }
   }
-  std::sort(trajectory.begin(), trajectory.end(), [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
-  return trajectory;
+  std::stable_sort(poses.begin(), poses.end(), [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
+  return odometry::smoothed(poses, options_);
 }
 
 }  // namespace wardslam::pipeline

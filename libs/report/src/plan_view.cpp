@@ -27,8 +27,8 @@ constexpr std::array<const char*, 4> kZoneColors = {"#28a03c", "#e6961e", "#d232
 mapping::SemanticMap mapOf(const RunRecord& run) {
   if (run.map) return *run.map;
   mapping::SemanticMap map;
-  for (const auto& [stamp_s, T_map_cam] : run.trajectory) {
-    map.keyframes[map.keyframes.size()] = {stamp_s, T_map_cam, {}, 0, {}, {}};
+  for (const core::StampedPose& pose : run.trajectory) {
+    map.keyframes[map.keyframes.size()] = {pose.stamp_s, pose.T_map_cam, {}, 0, {}, {}};
   }
   return map;
 }

@@ -9,6 +9,7 @@ namespace wardslam::core {
 struct StampedPose {
   double stamp_s = 0.0;  ///< UNIX time, UTC.
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
+  bool isBridged = false;  ///< Nothing was seen at that time: a place on the way between two where something was.
 };
 
 /// In order of time.

@@ -23,6 +23,9 @@ struct PosePrior {
 /// Standard deviation (m) of the axis whose translation is least sure.
 [[nodiscard]] double worstSigma_m(const PoseCovariance& covariance);
 
+/// What the way from one pose to another adds to that, where the errors of the way add to those of the first.
+[[nodiscard]] double addedSigma_m(const PoseCovariance& before, const PoseCovariance& now);
+
 /// What a covariance of frame a (as in MotionPrior) is in frame b, both fixed to one body.
 [[nodiscard]] PoseCovariance transformed(const PoseCovariance& ofA, const Eigen::Isometry3d& T_a_b);
 

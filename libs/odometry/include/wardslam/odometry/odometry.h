@@ -25,10 +25,11 @@ enum class State { Initialising, Ok, Lost };
 /// What tracking made of one image.
 struct OdometryResult {
   State state = State::Initialising;
-  /// Meaningful when state is Ok. When it is Lost: where the camera was last, or where motion priors since then lead.
+  /// Meaningful when state is Ok. When it is Lost: where motion priors since then lead; without, for a second, where
+  /// the camera is if it goes on as it went, and then where it was last.
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
   /// How sure that is (MotionPrior::covariance, in the camera frame) within the local map, taken for exact: what the
-  /// map itself has drifted is not in it. Nothing where nobody knows: lost without motion priors.
+  /// map itself has drifted is not in it. Nothing where nobody knows: lost for a while without motion priors.
   std::optional<PoseCovariance> covariance;
   KeyframeId referenceKeyframe = 0;  ///< The newest keyframe; corrections of its pose move this one along.
   Eigen::Isometry3d T_keyframe_cam = Eigen::Isometry3d::Identity();

@@ -78,7 +78,8 @@ struct RelocalisationOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("min_found_fraction", self.min_found_fraction, {0.0, 1.0}, "",
-          "of the points that should be in sight; a thing that looks like another shows less");
+          "of the points that should be in sight, or of the key points where these are fewer; a thing that looks like "
+          "another shows less");
     visit("max_contradiction", self.max_contradiction, {0.0, 1.0}, "",
           "share of the points that should be in sight whose place is seen to be empty");
     visit("max_rival", self.max_rival, {0.0, 1.0}, "",

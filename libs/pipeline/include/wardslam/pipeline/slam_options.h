@@ -10,6 +10,7 @@
 #include "wardslam/mapping/mapping_options.h"
 #include "wardslam/masks/contour_refinement.h"
 #include "wardslam/odometry/odometry_options.h"
+#include "wardslam/odometry/smoothing_options.h"
 #include "wardslam/pipeline/start_pose.h"
 #include "wardslam/segmentation/segmenter_factory.h"
 #include "wardslam/sources/source_settings.h"
@@ -59,6 +60,7 @@ struct SlamOptions {
   core::ConfigNode filters = defaultFilters();  ///< List of {class_name, params}; see filters::FilterChain.
   MapFrameOptions map_frame;
   odometry::OdometryOptions odometry;
+  odometry::SmoothingOptions trajectory;
   graph::GraphOptions graph;
   mapping::MappingOptions mapping;
 
@@ -94,6 +96,7 @@ struct SlamOptions {
     visit.group("zones", self.zones);
     visit.group("map_frame", self.map_frame);
     visit.group("odometry", self.odometry);
+    visit.group("trajectory", self.trajectory);
     visit.group("graph", self.graph);
     visit.group("mapping", self.mapping);
   }
