@@ -97,6 +97,26 @@ TEST(TrajectorySmoother, MovesAPoseByAsMuchAsItIsUnsureAndTheCameraSlow) {
   EXPECT_NEAR(trajectory[0].T_map_cam.translation().x(), 0.5 * moved_m, 1e-5);
 }
 
+/// The same of turns about one axis.
+TEST(TrajectorySmoother, TurnsAPoseByAsMuchAsItIsUnsureAndTheCameraSlow) {
+  const double T_s = 0.1;
+  const double sigma_rad = 0.01;
+  const double off_rad = 0.003;
+  SmoothingOptions options;
+  options.turn_change_radps = 0.5;
+  std::vector<EstimatedPose> way;
+  for (int i = 0; i < 3; ++i) {
+    const double angle_rad = i == 1 ? off_rad : 0.0;
+    way.push_back({i * T_s, evenly(1.0, 0.0, angle_rad), sigmas(0.001, sigma_rad), true});
+  }
+  const auto trajectory = smoothed(way, options);
+  const double s2 = sigma_rad * sigma_rad;
+  const double q = options.turn_change_radps * options.turn_change_radps * 2.0 * T_s / 3.0;
+  const double turned_rad = 4.0 * off_rad * s2 / (6.0 * s2 + T_s * T_s * q);
+  EXPECT_NEAR(Eigen::AngleAxisd(trajectory[1].T_map_cam.linear()).angle(), off_rad - turned_rad, 1e-5);
+  EXPECT_NEAR(Eigen::AngleAxisd(trajectory[0].T_map_cam.linear()).angle(), 0.5 * turned_rad, 1e-5);
+}
+
 TEST(TrajectorySmoother, BelievesWhatIsSure) {
   SmoothingOptions options;
   options.least_sigma_m = 0.0;

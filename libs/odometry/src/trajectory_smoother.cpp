@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kLeast_s = 1e-4;      // between two images
 constexpr double kTiny = 1e-4;         // m and rad: a covariance of nothing has no inverse
-constexpr double kRoughMotion = 4.0;   // standard deviations from which on a jolt is believed
 constexpr std::size_t kWindow = 1000;  // poses solved for at once,
 constexpr std::size_t kMargin = 100;   // and on either side for what they say of these
 constexpr int kMostIterations = 20;
@@ -100,7 +99,6 @@ std::vector<Motion> likeliestMotions(const Poses& poses, const Range& range, con
   const auto [first, end] = range;
   std::vector<Motion> motions(end - first, Motion{});
   ceres::Problem problem;
-  auto* const jolts = new ceres::HuberLoss(kRoughMotion);
   for (std::size_t i = first; i < end; ++i) {
     if (poses[i].isKnown()) {
       const PoseCovariance covariance = poses[i].covariance.value_or(PoseCovariance::Zero());
@@ -111,10 +109,9 @@ std::vector<Motion> likeliestMotions(const Poses& poses, const Range& range, con
         new VelocityChange{{poses[i - 2].T_map_cam, poses[i - 1].T_map_cam, poses[i].T_map_cam},
                            {secondsBetween(poses[i - 2], poses[i - 1]), secondsBetween(poses[i - 1], poses[i])},
                            options};
-    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<VelocityChange, 6, 6, 6, 6>(change), jolts,
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<VelocityChange, 6, 6, 6, 6>(change), nullptr,
                              motions[i - 2 - first].data(), motions[i - 1 - first].data(), motions[i - first].data());
   }
-  if (end - first < 3) delete jolts;  // nobody took it over
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = kMostIterations;
