@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "models/file_digest.h"
+#include "wardslam/core/digest.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::apps {
@@ -49,7 +49,7 @@ Verification verifyFile(const ModelFile& expected, const fs::path& file) {
   }
   if (!expected.checksum) return Verification::NoChecksumKnown;
   const auto& [algorithm, hex] = *expected.checksum;
-  const std::string digest = fileDigest(file, algorithm);
+  const std::string digest = core::digestOfFile(file, algorithm);
   if (digest != hex) fail("its " + algorithm + " is " + digest + " where that of " + expected.name + " is " + hex);
   return Verification::Matches;
 }

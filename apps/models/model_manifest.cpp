@@ -4,7 +4,7 @@
 #include <cctype>
 #include <limits>
 
-#include "models/file_digest.h"
+#include "wardslam/core/digest.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/nearest_name.h"
 #include "wardslam/core/options.h"
@@ -31,8 +31,8 @@ std::optional<Checksum> readChecksum(const ConfigNode& node) {
     if (checksum) value.fail("one checksum is enough");
     const std::string hex = text(node, algorithm);
     const bool isHex = std::all_of(hex.begin(), hex.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
-    if (!isHex || hex.size() != digestLength(algorithm)) {
-      value.fail(std::to_string(digestLength(algorithm)) + " hexadecimal digits are expected here");
+    if (!isHex || hex.size() != core::digestLength(algorithm)) {
+      value.fail(std::to_string(core::digestLength(algorithm)) + " hexadecimal digits are expected here");
     }
     checksum = Checksum{algorithm, hex};
     std::transform(hex.begin(), hex.end(), checksum->hex.begin(),

@@ -7,12 +7,12 @@
 #include <string>
 
 #include "models/fetch.h"
-#include "models/file_digest.h"
 #include "models/model_manifest.h"
 #include "models/transfer_progress.h"
 #include "support/interruption.h"
 #include "support/progress.h"
 #include "wardslam/core/data_files.h"
+#include "wardslam/core/digest.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::apps {
@@ -80,7 +80,7 @@ void verifyOne(const ModelFile& expected, const fs::path& file) {
     std::cout << file.string() << ": " << expected.checksum->algorithm << " as expected\n";
     return;
   }
-  throw core::InputError(file.string() + ": no checksum known; its sha256 is " + fileDigest(file, "sha256"));
+  throw core::InputError(file.string() + ": no checksum known; its sha256 is " + core::digestOfFile(file));
 }
 
 void verify(const ModelsArguments& arguments) {

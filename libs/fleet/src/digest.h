@@ -1,12 +1,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+
+#include "wardslam/core/digest.h"
 
 namespace wardslam::fleet {
 
-/// SHA-256 of bytes, in lower-case hexadecimal.
-[[nodiscard]] std::string digestOf(std::string_view bytes);
+using core::digestOf;
 
 /// Of a whole that comes in parts: that of the parts' digests.
 class DigestOfParts {

@@ -5,8 +5,8 @@
 
 #include <cstdlib>
 
-#include "models/file_digest.h"
 #include "support/test_server.h"
+#include "wardslam/core/digest.h"
 #include "wardslam/core/errors.h"
 
 namespace wardslam::apps {
@@ -107,7 +107,7 @@ TEST(VerifyFile, ComparesSizeAndChecksum) {
     return ModelFile{"net.onnx", "", size, std::move(checksum)};
   };
   EXPECT_EQ(verifyFile(expected(3, Checksum{"sha256", kSha256}), file), Verification::Matches);
-  EXPECT_EQ(verifyFile(expected({}, Checksum{"sha512", fileDigest(file, "sha512")}), file), Verification::Matches);
+  EXPECT_EQ(verifyFile(expected({}, Checksum{"sha512", core::digestOfFile(file, "sha512")}), file), Verification::Matches);
   EXPECT_EQ(verifyFile(expected(3, {}), file), Verification::NoChecksumKnown);
   EXPECT_EQ(verifyFile(expected({}, {}), file), Verification::NoChecksumKnown);
   EXPECT_THROW((void)verifyFile(expected(4, {}), file), InputError);
