@@ -14,6 +14,7 @@
 #include "wardslam/core/atomic_file.h"
 #include "wardslam/core/data_files.h"
 #include "wardslam/core/errors.h"
+#include "wardslam/report/tables_page.h"
 #include "wardslam/reproduction/paper_tables.h"
 
 namespace wardslam::apps {
@@ -49,7 +50,7 @@ std::string countsOf(const ReproductionRun& run, const Plan& plan) {
          ".";
 }
 
-/// tables.md, and every table as CSV, and figures.csv, which has all.
+/// tables.md and tables.html, and every table as CSV, and figures.csv, which has all.
 class TableFolder {
  public:
   TableFolder(const Plan& plan, const ReproduceArguments& arguments)
@@ -59,22 +60,30 @@ class TableFolder {
         published_(reproduction::readPublishedFigures(core::findDataFile("reproduction/published.yaml"))) {}
 
   std::string write(const ReproductionRun& run) const {
-    std::string text = "# " + plan_.title + "\n\nWardSLAM " WARDSLAM_VERSION ", " + plan_.file.filename().string() +
-                       ". " + countsOf(run, plan_) + "\n";
-    for (const std::string& sentence : missing_) text += "\n- " + sentence;
-    for (const std::string& sentence : run.troubles()) text += "\n- " + sentence;
-    if (!missing_.empty() || !run.troubles().empty()) text += "\n";
-    for (const auto& table : reproduction::paperTables(plan_, published_, run.results())) {
-      text += "\n" + reproduction::toMarkdown(table);
+    const reproduction::TableCollection collection = collectionOf(run);
+    for (const auto& table : collection.tables) {
       core::writeFileAtomically(out_ / (table.name + ".csv"), reproduction::toCsv(table));
     }
     core::writeFileAtomically(out_ / "figures.csv",
                               reproduction::toCsv(reproduction::allFigures(plan_, run.results())));
+    core::writeFileAtomically(out_ / "tables.html", report::makeTablesPage(collection));
+    std::string text = reproduction::toMarkdown(collection);
     core::writeFileAtomically(out_ / "tables.md", text);
     return text;
   }
 
  private:
+  [[nodiscard]] reproduction::TableCollection collectionOf(const ReproductionRun& run) const {
+    reproduction::TableCollection collection;
+    collection.title = plan_.title;
+    collection.introduction =
+        "WardSLAM " WARDSLAM_VERSION ", " + plan_.file.filename().string() + ". " + countsOf(run, plan_);
+    collection.sentences = missing_;
+    collection.sentences.insert(collection.sentences.end(), run.troubles().begin(), run.troubles().end());
+    collection.tables = reproduction::paperTables(plan_, published_, run.results());
+    return collection;
+  }
+
   const Plan& plan_;
   fs::path out_;
   std::vector<std::string> missing_;
@@ -117,7 +126,8 @@ void addReproduceCommand(CLI::App& app) {
       "reproduce",
       "Run every sequence of a plan with every variant, several times, and write the tables of the paper with "
       "published "
-      "figures and ours (tables.md, CSV). Run again after an interruption, it goes on with what is missing");
+      "figures and ours (tables.md, tables.html, CSV). Run again after an interruption, it goes on with what is "
+      "missing");
   auto arguments = std::make_shared<ReproduceArguments>();
   command
       ->add_option("PLAN", arguments->plan,

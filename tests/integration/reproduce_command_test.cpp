@@ -72,6 +72,33 @@ TEST_F(ReproduceCommand, WritesTablesAndSaysWhatIsMissing) {
                     HasSubstr("\nelsewhere,missing,missing,missing,missing\n")));
 }
 
+/// In Chromium: wide and narrow, light and dark. Six variants make tables that are wider than any window.
+TEST_F(ReproduceCommand, ThePageOfTablesKeepsToItsWindow) {
+  std::string yaml = "max_frames: 2\nvariants:\n";
+  for (const char* name : {"one", "two", "three", "four", "five", "six"}) {
+    yaml += std::string("  - {name: the variant of number ") + name + ", filter: \"off\"}\n";
+  }
+  yaml += "sequences:\n  - {name: room, folder: " + room.path().filename().string() +
+          "}\n  - {name: elsewhere, folder: not_here_at_all}\n";
+  ASSERT_EQ(reproduce(yaml).exitCode, 0);
+  const std::string page = test::readText(out / "tables.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("6 of 12 runs are done"), HasSubstr("<li>elsewhere: missing"),
+                          HasSubstr("<section id=\"table_7\">")));
+  const auto looked = test::runProgram("/usr/bin/env", {"python3", WARDSLAM_LOOK_AT_PAGE, out / "tables.html"});
+  if (looked.exitCode == 77) GTEST_SKIP() << looked.err;
+  ASSERT_EQ(looked.exitCode, 0) << looked.err;
+  const auto looks = nlohmann::json::parse(looked.out);
+  ASSERT_EQ(looks.size(), 4U);
+  for (const auto& look : looks) {
+    SCOPED_TRACE(look.dump(1));
+    EXPECT_EQ(look["inner_width"], look["width"]);
+    EXPECT_TRUE(look["errors"].empty());
+    EXPECT_TRUE(look["requests"].empty());
+    EXPECT_EQ(look["overflow_px"], 0);
+  }
+  EXPECT_NE(looks[0]["paper"], looks[1]["paper"]) << "light and dark";
+}
+
 TEST_F(ReproduceCommand, DoesNotRunAgainWhatIsFinished) {
   ASSERT_EQ(reproduce(plan()).exitCode, 0);
   const fs::path kept = cell("without/0/run/summary.json");

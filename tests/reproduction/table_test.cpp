@@ -35,6 +35,15 @@ TEST(TableText, MarkdownHasColumnsAsWideAsTheirCells) {
             "\nA note.\n");
 }
 
+TEST(TableText, ACollectionSaysWhatIsMissingBeforeItsTables) {
+  const Table table = {"t", "Table 9", {"Sequence", "ATE"}, {{"ward", "0.02"}}, {}};
+  const std::string tableText = "\n## Table 9\n\n| Sequence | ATE  |\n|----------|------|\n| ward     | 0.02 |\n";
+  EXPECT_EQ(toMarkdown(TableCollection{"Rooms", "Two of three.", {}, {table, table}}),
+            "# Rooms\n\nTwo of three.\n" + tableText + tableText);
+  EXPECT_EQ(toMarkdown(TableCollection{"Rooms", "None.", {"a: missing", "b: failed"}, {table}}),
+            "# Rooms\n\nNone.\n\n- a: missing\n- b: failed\n" + tableText);
+}
+
 TEST(TableText, CsvQuotesWhatNeedsIt) {
   const Table table = {"t", "T", {"Sequence", "n = 5, δ = 3"}, {{"the \"ward\"", "–"}, {"b", "1"}}, {"A note."}};
   EXPECT_EQ(toCsv(table), "Sequence,\"n = 5, δ = 3\"\n\"the \"\"ward\"\"\",\nb,1\n");

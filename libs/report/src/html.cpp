@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "wardslam/core/data_files.h"
 #include "wardslam/core/markup.h"
 
 namespace wardslam::report {
@@ -22,6 +26,28 @@ bool isNumber(const std::string& text) {
   return !number.empty() && text.size() - number.size() <= kLongestUnit &&
          number.find_first_not_of("-.0123456789") == std::string::npos &&
          std::count(number.begin(), number.end(), '.') <= 1;
+}
+
+/// `isRight(text, column)`: aligned to the right; a heading is where all below it are.
+template <class IsRight>
+std::string tableOf(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows,
+                    const char* tag, IsRight isRight) {
+  const auto isRightAll = [&](std::size_t column) {
+    return std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return isRight(row[column], column); });
+  };
+  std::string html = std::string("<div class=\"wide\">") + tag + "\n<thead><tr>";
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    html += (isRightAll(i) ? "<th class=\"number\">" : "<th>") + escapedForMarkup(headings[i]) + "</th>";
+  }
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : rows) {
+    html += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      html += (isRight(row[i], i) ? "<td class=\"number\">" : "<td>") + escapedForMarkup(row[i]) + "</td>";
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
 }
 
 }  // namespace
@@ -63,23 +89,37 @@ std::string timeText(double stamp_s, double start_s, double end_s) {
 }
 
 std::string table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
-  const auto ofNumbers = [&rows](std::size_t column) {
-    return column > 0 && std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return isNumber(row[column]); });
-  };
-  std::string html = "<div class=\"wide\"><table>\n<thead><tr>";
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    html += (ofNumbers(i) ? "<th class=\"number\">" : "<th>") + escapedForMarkup(headings[i]) + "</th>";
-  }
-  html += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : rows) {
-    html += "<tr>";
-    for (const auto& text : row) {
-      html += (isNumber(text) && &text != &row.front() ? "<td class=\"number\">" : "<td>") + escapedForMarkup(text) +
-              "</td>";
-    }
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
+  return tableOf(headings, rows, "<table>",
+                 [](const std::string& text, std::size_t column) { return column > 0 && isNumber(text); });
+}
+
+std::string tableOfFigures(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows,
+                           std::size_t labels) {
+  return tableOf(headings, rows, "<table class=\"comparison\">",
+                 [labels](const std::string&, std::size_t column) { return column >= labels; });
+}
+
+std::string dataFile(const char* name) {
+  std::ifstream in(core::findDataFile(std::filesystem::path("report") / name));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string pageHead(const std::string& title, const std::string& css) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+         "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
+         escapedForMarkup(title) + "</title>\n<style>\n" + css + dataFile("report.css") + "</style>\n</head>\n<body>\n";
+}
+
+std::string pageEnd() { return "</body>\n</html>\n"; }
+
+std::string remarks(const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return {};
+  std::string html = "<ul class=\"missing\">\n";
+  for (const auto& sentence : sentences) html += "<li>" + escapedForMarkup(sentence) + "</li>\n";
+  return html + "</ul>\n";
 }
 
 std::string section(const std::string& id, const std::string& heading, const std::string& html) {

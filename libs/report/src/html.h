@@ -22,6 +22,23 @@ namespace wardslam::report {
 [[nodiscard]] std::string table(const std::vector<std::string>& headings,
                                 const std::vector<std::vector<std::string>>& rows);
 
+/// The first `labels` columns to the left, all others to the right, also where they say why there is no figure.
+[[nodiscard]] std::string tableOfFigures(const std::vector<std::string>& headings,
+                                         const std::vector<std::vector<std::string>>& rows, std::size_t labels);
+
+/// Everything to <body>, with the style of all pages and what else `css` says. Nothing may be loaded from elsewhere,
+/// whatever a name in a file says. `title`: text.
+[[nodiscard]] std::string pageHead(const std::string& title, const std::string& css);
+
+/// The end of a page.
+[[nodiscard]] std::string pageEnd();
+
+/// Sentences that a page begins with; nothing where there are none.
+[[nodiscard]] std::string remarks(const std::vector<std::string>& sentences);
+
+/// What share/report has.
+[[nodiscard]] std::string dataFile(const char* name);
+
 /// A part of the page with a heading of its own; nothing where there is nothing in it.
 [[nodiscard]] std::string section(const std::string& id, const std::string& heading, const std::string& html);
 

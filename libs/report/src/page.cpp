@@ -8,7 +8,6 @@
 #include "html.h"
 #include "stretches.h"
 #include "wardslam/building/rooms_of_map.h"
-#include "wardslam/core/data_files.h"
 #include "wardslam/core/markup.h"
 #include "wardslam/viewer/plan_picture.h"
 
@@ -22,8 +21,6 @@ std::string textOf(const std::filesystem::path& file) {
   std::ifstream in(file);
   return {std::istreambuf_iterator<char>(in), {}};
 }
-
-std::string dataFile(const char* name) { return textOf(core::findDataFile(std::filesystem::path("report") / name)); }
 
 /// Numbers of summary.json; files that were changed by hand hold anything.
 std::optional<double> numberIn(const Json& json, const std::string& key) {
@@ -72,8 +69,9 @@ class Page {
                              section("pictures", "Pictures", content_.pictures) +
                              section("trouble", "Events", events()) + section("versions", "Versions", versions()) +
                              section("configuration", "Configuration", configuration());
-    return head(library.empty() ? std::string() : textOf(content_.plotLibrary / "dygraph.min.css")) + heading() +
-           missing() + body + "<div id=\"tip\" hidden></div>\n" + script(library) + "</body>\n</html>\n";
+    return pageHead(title(), library.empty() ? std::string() : textOf(content_.plotLibrary / "dygraph.min.css")) +
+           heading() + remarks(content_.missing) + body + "<div id=\"tip\" hidden></div>\n" + script(library) +
+           pageEnd();
   }
 
  private:
@@ -89,27 +87,9 @@ class Page {
     return "<h1>WardSLAM run" + (day.empty() ? day : " of <span>" + day + "</span>") + "</h1>\n";
   }
 
-  /// Nothing may be loaded from elsewhere, whatever a name in the map says.
-  [[nodiscard]] std::string head(const std::string& css) const {
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-           "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-           "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-           escapedForMarkup(title()) + "</title>\n<style>\n" + css + dataFile("report.css") +
-           "</style>\n</head>\n<body>\n";
-  }
-
   [[nodiscard]] std::string script(const std::string& library) const {
     return "<script type=\"application/json\" id=\"data\">" + forScript(content_.plots) + "</script>\n<script>\n" +
            library + "\n</script>\n<script>\n" + dataFile("report.js") + "</script>\n";
-  }
-
-  [[nodiscard]] std::string missing() const {
-    if (content_.missing.empty()) return {};
-    std::string html = "<ul class=\"missing\">\n";
-    for (const auto& sentence : content_.missing) html += "<li>" + escapedForMarkup(sentence) + "</li>\n";
-    return html + "</ul>\n";
   }
 
   [[nodiscard]] std::string figures() const {

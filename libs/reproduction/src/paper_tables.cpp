@@ -14,6 +14,7 @@ Table runsTable(const Tables& all) {
   Table table;
   table.name = "runs";
   table.title = "What was run";
+  table.labels = 2;
   table.headings = {"Sequence",       "Variant",   "Runs",      "ATE SE(3) [m]",
                     "ATE Sim(3) [m]", "RPE [m/s]", "RPE [°/s]", "Coverage"};
   for (std::size_t sequence = 0; sequence < all.plan().sequences.size(); ++sequence) {
@@ -145,7 +146,7 @@ Table table7(const Tables& all) {
       "leaves the "
       "network out, its stationary case has ORB-SLAM2's whole tracking and training in it. Whole image: all that "
       "tracking does. "
-      "Runs beside each other take each other's time: for these figures, one at a time (`--jobs 1`).");
+      "Runs beside each other take each other's time: for these figures, one at a time (--jobs 1).");
   return table;
 }
 
@@ -181,6 +182,7 @@ Table allFigures(const Plan& plan, const Results& results) {
   Table table;
   table.name = "figures";
   table.title = "All figures";
+  table.labels = 4;
   table.headings = {"sequence", "variant", "figure", "unit", "median", "min", "max", "mean", "known", "runs"};
   for (std::size_t sequence = 0; sequence < plan.sequences.size(); ++sequence) {
     for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {

@@ -64,6 +64,14 @@ std::string toMarkdown(const Table& table) {
   return text;
 }
 
+std::string toMarkdown(const TableCollection& collection) {
+  std::string text = "# " + collection.title + "\n\n" + collection.introduction + "\n";
+  for (const std::string& sentence : collection.sentences) text += "\n- " + sentence;
+  if (!collection.sentences.empty()) text += "\n";
+  for (const Table& table : collection.tables) text += "\n" + toMarkdown(table);
+  return text;
+}
+
 std::string toCsv(const Table& table) {
   std::string text;
   const auto add = [&](const std::vector<std::string>& row) {

@@ -13,6 +13,15 @@ struct Table {
   std::vector<std::string> headings;
   std::vector<std::vector<std::string>> rows;  ///< As many cells as headings.
   std::vector<std::string> notes;              ///< Sentences below it.
+  std::size_t labels = 1;                      ///< Columns that say what a row is about; figures are in those behind.
+};
+
+/// What a plan came to, for people.
+struct TableCollection {
+  std::string title;
+  std::string introduction;            ///< One line: what the tables are made of.
+  std::vector<std::string> sentences;  ///< What is missing, what failed.
+  std::vector<Table> tables;
 };
 
 /// Fixed point; "–" for NaN.
@@ -24,6 +33,8 @@ struct Table {
 
 /// Heading, table, notes. Columns are as wide as they need to be.
 [[nodiscard]] std::string toMarkdown(const Table& table);
+
+[[nodiscard]] std::string toMarkdown(const TableCollection& collection);
 
 /// Without title and notes; "–" becomes empty.
 [[nodiscard]] std::string toCsv(const Table& table);
