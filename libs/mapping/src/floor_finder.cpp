@@ -1,10 +1,10 @@
 #include "wardslam/mapping/floor_finder.h"
 
-#include <pcl/ModelCoefficients.h>
 #include <pcl/filters/extract_indices.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/sac_segmentation.h>
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_perpendicular_plane.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,20 +46,21 @@ Cloud::Ptr pointsOf(const std::vector<DepthPoint>& points, const Eigen::Matrix3d
 /// The plane through most points among those whose normal is about z; the normal points up.
 std::optional<Eigen::Hyperplane<double, 3>> largestLevelPlane(const Cloud::Ptr& cloud, double maxTilt_rad,
                                                               pcl::PointIndices& inliers) {
-  pcl::SACSegmentation<pcl::PointXYZ> segmentation;
-  segmentation.setModelType(pcl::SACMODEL_PERPENDICULAR_PLANE);
-  segmentation.setMethodType(pcl::SAC_RANSAC);
-  segmentation.setAxis(Eigen::Vector3f::UnitZ());
-  segmentation.setEpsAngle(maxTilt_rad);
-  segmentation.setDistanceThreshold(kPlaneTolerance_m);
-  segmentation.setOptimizeCoefficients(true);
-  segmentation.setMaxIterations(500);
-  segmentation.setInputCloud(cloud);
-  pcl::ModelCoefficients plane;
-  segmentation.segment(inliers, plane);
+  const auto model = pcl::make_shared<pcl::SampleConsensusModelPerpendicularPlane<pcl::PointXYZ>>(cloud);
+  model->setAxis(Eigen::Vector3f::UnitZ());
+  model->setEpsAngle(maxTilt_rad);
+  pcl::RandomSampleConsensus<pcl::PointXYZ> search(model, kPlaneTolerance_m);
+  search.setMaxIterations(500);
+  if (!search.computeModel()) return std::nullopt;
+  search.getInliers(inliers.indices);
+  Eigen::VectorXf found;
+  search.getModelCoefficients(found);
+  Eigen::VectorXf plane;
+  model->optimizeModelCoefficients(inliers.indices, found, plane);
+  model->selectWithinDistance(plane, kPlaneTolerance_m, inliers.indices);
   if (inliers.indices.size() < kMinPoints) return std::nullopt;
-  Eigen::Vector3d normal(plane.values[0], plane.values[1], plane.values[2]);
-  double offset_m = plane.values[3];
+  Eigen::Vector3d normal = plane.head<3>().cast<double>();
+  double offset_m = plane[3];
   if (normal.z() < 0.0) {
     normal = -normal;
     offset_m = -offset_m;
