@@ -12,7 +12,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr const char* kHeadings = "timestamp,frames,frame_ms,keyframes,map_ms,waiting,memory_mb,open_files\n";
+constexpr const char* kHeadings =
+    "timestamp,frames,frame_ms,keyframes,graph_ms,mapping_ms,storage_ms,apply_ms,waiting,memory_mb,open_files\n";
 
 SlamOptions withoutFilters() {
   SlamOptions options;
@@ -61,9 +62,11 @@ TEST(LoadTable, TellsWhatWasSpentSinceTheLineBefore) {
   ASSERT_EQ(rows.size(), 3U);
   double frames_ms = 0.0;
   double map_ms = 0.0;
+  double apply_ms = 0.0;
   for (const LoadRow& row : rows) {
     frames_ms += row.frame_ms;
-    map_ms += row.map_ms;
+    map_ms += row.map_ms();
+    apply_ms += row.apply_ms;
     EXPECT_GT(row.memory_mb, 1.0);
     EXPECT_GE(row.openFiles, 3U) << "the three every program has";
     EXPECT_EQ(row.waiting, 0U) << "a deterministic run waits for nothing";
@@ -76,16 +79,21 @@ TEST(LoadTable, TellsWhatWasSpentSinceTheLineBefore) {
     if (totals.count(step) > 0) ofMap_ms += totals.at(step).total_ms;
   }
   EXPECT_NEAR(map_ms, ofMap_ms, 0.01 * 3 + 0.2) << "the last frame is in it but for what follows the table";
+  EXPECT_NEAR(apply_ms, totals.at("odometry.apply").total_ms, 0.01 * 3 + 0.02);
 }
 
 TEST(LoadTable, IsReadWithoutALineThatIsCutOff) {
   const test::TemporaryFolder folder;
-  const auto rows =
-      readLoadTable(folder.write("load.csv", std::string(kHeadings) + "1.0,30,25.5,2,90.25,3,101.5,12\n2.0,30,2"));
+  const auto rows = readLoadTable(
+      folder.write("load.csv", std::string(kHeadings) + "1.0,30,25.5,2,60,20.25,10,0.5,3,101.5,12\n2.0,30,2"));
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_DOUBLE_EQ(rows[0].frame_ms, 25.5);
   EXPECT_EQ(rows[0].keyframes, 2U);
-  EXPECT_DOUBLE_EQ(rows[0].map_ms, 90.25);
+  EXPECT_DOUBLE_EQ(rows[0].graph_ms, 60.0);
+  EXPECT_DOUBLE_EQ(rows[0].mapping_ms, 20.25);
+  EXPECT_DOUBLE_EQ(rows[0].storage_ms, 10.0);
+  EXPECT_DOUBLE_EQ(rows[0].map_ms(), 90.25);
+  EXPECT_DOUBLE_EQ(rows[0].apply_ms, 0.5);
   EXPECT_EQ(rows[0].waiting, 3U);
   EXPECT_DOUBLE_EQ(rows[0].memory_mb, 101.5);
   EXPECT_EQ(rows[0].openFiles, 12U);
@@ -93,8 +101,8 @@ TEST(LoadTable, IsReadWithoutALineThatIsCutOff) {
 
 TEST(LoadTable, NamesTheLineThatIsNone) {
   const test::TemporaryFolder folder;
-  const auto file = folder.write(
-      "load.csv", std::string(kHeadings) + "1.0,30,fast,2,90.25,3,101.5,12\n" + "2.0,30,25.5,2,90.25,3,101.5,12\n");
+  const auto file = folder.write("load.csv", std::string(kHeadings) + "1.0,30,fast,2,60,20.25,10,0.5,3,101.5,12\n" +
+                                                 "2.0,30,25.5,2,60,20.25,10,0.5,3,101.5,12\n");
   EXPECT_THAT([&] { (void)readLoadTable(file); }, ThrowsMessage<core::InputError>(HasSubstr("load.csv:2: ")));
 }
 

@@ -40,7 +40,8 @@ TEST(Plots, HaveARowForEveryFrame) {
 TEST(Plots, ShowWhatTheRunTookOfTheComputer) {
   RunRecord run;
   run.frames = {frameAt(1000.0, 800, 200, 300)};
-  run.load = {{1001.0, 30, 25.125, 2, 90.5, 3, 100.06, 12}, {1002.0, 30, 26.0, 0, 10.0, 0, 101.0, 12}};
+  run.load = {{1001.0, 30, 25.125, 2, 60.0, 20.5, 10.0, 0.5, 3, 100.06, 12},
+              {1002.0, 30, 26.0, 0, 10.0, 0, 0, 0, 0, 101.0, 12}};
   const auto data = plotData(run, {}, PlanView(run, {}));
   EXPECT_EQ(plotNamed(data, "load").at("rows"), Json::parse("[[1.0, 25.13, 45.25], [2.0, 26.0, null]]"));
   EXPECT_EQ(plotNamed(data, "memory").at("rows"), Json::parse("[[1.0, 100.1], [2.0, 101.0]]"));

@@ -38,8 +38,8 @@ class RunFolderByHand {
   }
 
   [[nodiscard]] static std::string load() {
-    return "timestamp,frames,frame_ms,keyframes,map_ms,waiting,memory_mb,open_files\n"
-           "901,2,25.5,1,120,3,101.5,12\n903,2,26.5,0,10,0,102.5,12\n";
+    return "timestamp,frames,frame_ms,keyframes,graph_ms,mapping_ms,storage_ms,apply_ms,waiting,memory_mb,open_files\n"
+           "901,2,25.5,1,60,40,20,0.5,3,101.5,12\n903,2,26.5,0,10,0,0,0,0,102.5,12\n";
   }
 
   /// As if it had been killed: what it writes as it goes has its preliminary name, and no summary came.

@@ -12,10 +12,12 @@
 namespace wardslam::pipeline {
 namespace {
 
-constexpr const char* kHeadings = "timestamp,frames,frame_ms,keyframes,map_ms,waiting,memory_mb,open_files";
-constexpr std::size_t kColumns = 8;
+constexpr const char* kHeadings =
+    "timestamp,frames,frame_ms,keyframes,graph_ms,mapping_ms,storage_ms,apply_ms,waiting,memory_mb,open_files";
+constexpr std::size_t kColumns = 11;
 constexpr double kPeriod_s = 1.0;
 const std::string kFrameStep = "pipeline.process";
+const std::string kApplyStep = "odometry.apply";
 
 /// Of Linux; 0 where it does not tell.
 double residentMemory_mb() {
@@ -37,22 +39,15 @@ std::size_t openFiles() {
   return count > 0 ? count - 1 : 0;
 }
 
-/// Whether a step of the profiler is work on graph, map or map file.
-bool isOfMap(const std::string& step) {
-  for (const char* part : {"graph.", "mapping.", "storage."}) {
-    if (step.rfind(part, 0) == 0) return true;
-  }
-  return false;
-}
-
 std::optional<LoadRow> rowOf(const std::string& line) {
   const auto words = core::wordsIn(line);
   LoadRow row;
   const bool isRow = words.size() == kColumns && readWord(words[0], row.stamp_s) && std::isfinite(row.stamp_s) &&
                      readWord(words[1], row.frames) && readWord(words[2], row.frame_ms) &&
-                     readWord(words[3], row.keyframes) && readWord(words[4], row.map_ms) &&
-                     readWord(words[5], row.waiting) && readWord(words[6], row.memory_mb) &&
-                     readWord(words[7], row.openFiles);
+                     readWord(words[3], row.keyframes) && readWord(words[4], row.graph_ms) &&
+                     readWord(words[5], row.mapping_ms) && readWord(words[6], row.storage_ms) &&
+                     readWord(words[7], row.apply_ms) && readWord(words[8], row.waiting) &&
+                     readWord(words[9], row.memory_mb) && readWord(words[10], row.openFiles);
   return isRow ? std::optional(row) : std::nullopt;
 }
 
@@ -81,12 +76,16 @@ void LoadTable::writeRow(double stamp_s) {
     const auto was = before_[step];
     return core::Profiler::Total{is->second.calls - was.calls, is->second.total_ms - was.total_ms};
   };
-  double map_ms = 0.0;
-  for (const auto& [step, total] : now) map_ms += isOfMap(step) ? since(step).total_ms : 0.0;
+  const auto ofRoom_ms = [&](const std::string& prefix) {
+    double sum_ms = 0.0;
+    for (const auto& [step, total] : now) sum_ms += step.rfind(prefix, 0) == 0 ? since(step).total_ms : 0.0;
+    return sum_ms;
+  };
   const auto process = since(kFrameStep);  // of the frames until the one before: this one is not done yet
   const double frame_ms = process.calls > 0 ? process.total_ms / static_cast<double>(process.calls) : 0.0;
   file_.stream() << std::setprecision(6) << stamp_s - stampOrigin_s_ << ',' << frames_ << ',' << std::setprecision(2)
-                 << frame_ms << ',' << keyframes_ << ',' << map_ms << ',' << slam_.waiting() << ','
+                 << frame_ms << ',' << keyframes_ << ',' << ofRoom_ms("graph.") << ',' << ofRoom_ms("mapping.") << ','
+                 << ofRoom_ms("storage.") << ',' << since(kApplyStep).total_ms << ',' << slam_.waiting() << ','
                  << residentMemory_mb() << ',' << openFiles() << '\n'
                  << std::flush;
   before_ = now;

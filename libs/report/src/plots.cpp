@@ -49,7 +49,7 @@ double sharePercent(const pipeline::FrameRow& frame) {
 /// Nothing where there was none.
 Json mapPerKeyframe(const pipeline::LoadRow& load) {
   if (load.keyframes == 0) return nullptr;
-  return rounded(load.map_ms / static_cast<double>(load.keyframes), 1e2);
+  return rounded(load.map_ms() / static_cast<double>(load.keyframes), 1e2);
 }
 
 }  // namespace

@@ -20,10 +20,15 @@ struct LoadRow {
   std::size_t frames = 0;     ///< In this stretch.
   double frame_ms = 0.0;      ///< Per frame, from the observation to the pose.
   std::size_t keyframes = 0;  ///< In this stretch.
-  double map_ms = 0.0;        ///< Of graph, map and map file together, worked in this stretch.
+  double graph_ms = 0.0;      ///< Work on the graph, in this stretch.
+  double mapping_ms = 0.0;    ///< Work on the map, in this stretch.
+  double storage_ms = 0.0;    ///< Work on the map file, in this stretch.
+  double apply_ms = 0.0;      ///< What tracking spent on taking over what the graph found out, in this stretch.
   std::size_t waiting = 0;    ///< SlamSystem::waiting(), at its end.
   double memory_mb = 0.0;     ///< Resident, at its end.
   std::size_t openFiles = 0;  ///< At its end.
+
+  [[nodiscard]] double map_ms() const { return graph_ms + mapping_ms + storage_ms; }
 };
 
 /// A line of text (CSV) for every second of a run (by the stamps of its frames), written as the run goes: until
