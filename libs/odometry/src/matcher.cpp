@@ -1,10 +1,10 @@
 #include "wardslam/odometry/matcher.h"
 
-#include <cstring>
 #include <limits>
 #include <opencv2/core/hal/hal.hpp>
-#include <opencv2/features2d.hpp>
 #include <optional>
+
+#include "wardslam/odometry/descriptor_words.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -44,13 +44,22 @@ std::optional<Candidate> bestCandidate(const ProjectedPoint& point, const core::
   return best;
 }
 
-cv::Mat stackDescriptors(const std::vector<DescribedPoint>& points) {
-  cv::Mat descriptors(static_cast<int>(points.size()), sizeof(OrbDescriptor), CV_8UC1);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    std::memcpy(descriptors.ptr(static_cast<int>(i)), points[i].descriptor->data(), sizeof(OrbDescriptor));
+/// The nearest of many, of equals the first, and how far the next one is.
+struct Nearest {
+  std::size_t index = 0;
+  int distance = std::numeric_limits<int>::max();
+  int nextDistance = std::numeric_limits<int>::max();
+
+  void consider(std::size_t other, int otherDistance) {
+    if (otherDistance < distance) {
+      nextDistance = distance;
+      distance = otherDistance;
+      index = other;
+    } else if (otherDistance < nextDistance) {
+      nextDistance = otherDistance;
+    }
   }
-  return descriptors;
-}
+};
 
 }  // namespace
 
@@ -77,23 +86,27 @@ std::vector<Match> Matcher::searchNear(const std::vector<ProjectedPoint>& points
 std::vector<Match> Matcher::searchEverywhere(const std::vector<DescribedPoint>& points,
                                              const core::Features& features) const {
   if (points.empty() || features.size() < 2) return {};
-  const cv::BFMatcher bruteForce(cv::NORM_HAMMING);
-  const cv::Mat pointDescriptors = stackDescriptors(points);
-  std::vector<std::vector<cv::DMatch>> forward;
-  std::vector<cv::DMatch> backward;
-  bruteForce.knnMatch(pointDescriptors, features.descriptors, forward, 2);
-  bruteForce.match(features.descriptors, pointDescriptors, backward);
-
-  std::vector<Match> matches;
-  for (const auto& best : forward) {
-    const bool isSimilar = static_cast<double>(best[0].distance) <= options_.max_descriptor_distance;
-    const bool isClear =
-        static_cast<double>(best[0].distance) <= options_.max_ratio * static_cast<double>(best[1].distance);
-    const bool isMutual = backward[static_cast<std::size_t>(best[0].trainIdx)].trainIdx == best[0].queryIdx;
-    if (isSimilar && isClear && isMutual) {
-      matches.push_back(
-          {points[static_cast<std::size_t>(best[0].queryIdx)].id, static_cast<std::size_t>(best[0].trainIdx)});
+  std::vector<DescriptorWords> words;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    words.push_back(wordsOf(features.descriptors.ptr(static_cast<int>(i))));
+  }
+  std::vector<Nearest> toPoint(points.size());
+  std::vector<Nearest> toKeypoint(features.size());
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    const DescriptorWords look = wordsOf(points[point].descriptor->data());
+    for (std::size_t keypoint = 0; keypoint < words.size(); ++keypoint) {
+      const int distance = differingBits(look, words[keypoint]);
+      toPoint[point].consider(keypoint, distance);
+      toKeypoint[keypoint].consider(point, distance);
     }
+  }
+  std::vector<Match> matches;
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    const Nearest& best = toPoint[point];
+    const bool isSimilar = best.distance <= options_.max_descriptor_distance;
+    const bool isClear = best.distance <= options_.max_ratio * best.nextDistance;
+    if (isSimilar && isClear && toKeypoint[best.index].index == point)
+      matches.push_back({points[point].id, best.index});
   }
   return matches;
 }
