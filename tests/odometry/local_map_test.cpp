@@ -120,6 +120,43 @@ TEST_F(LocalMapTest, TakesOverBetterPositionsAndRemovals) {
   EXPECT_THAT(map_.neighbourhood({moved}), ElementsAre(moved));
 }
 
+TEST_F(LocalMapTest, TakesOverItsPartOfWhatALoopMoved) {
+  const PointId moved = map_.add(pointAt(0));
+  const PointId stays = map_.add(pointAt(1));
+  MapUpdate update;
+  for (PointId id = 100; id < 200; ++id) update.p_map_m[id] = {9, 9, 9};
+  update.p_map_m[moved] = {0.5, 0, 2};
+  map_.apply(update, 7);
+  EXPECT_THAT(ids(), ElementsAre(moved, stays));
+  EXPECT_TRUE(map_.find(moved)->p_map_m.isApprox(Eigen::Vector3d(0.5, 0, 2)));
+  EXPECT_TRUE(map_.find(stays)->p_map_m.isApprox(Eigen::Vector3d(1, 0, 2)));
+}
+
+/// Ten thousand points go a metre up. What happens to them meanwhile finds them there.
+TEST_F(LocalMapTest, WhatALoopMovedIsThereWhoeverLooks) {
+  LocalMapOptions large = options();
+  large.max_points = 20000;
+  LocalMap map(large);
+  MapUpdate loop;
+  for (int i = 0; i < 10000; ++i) loop.p_map_m[map.add(pointAt(i))] = {static_cast<double>(i), 0, 3};
+  map.apply(loop, 7);
+  EXPECT_DOUBLE_EQ(map.points().at(5000).p_map_m.z(), 2.0) << "nobody has asked for it";
+  EXPECT_DOUBLE_EQ(map.find(5000)->p_map_m.z(), 3.0);
+
+  MapUpdate small;
+  small.p_map_m[6000] = {0, 0, 4};
+  small.recalledPoints[20001] = pointAt(0);
+  small.recalledKeyframes[1] = {20001};
+  map.apply(small, 8);
+  map.movePoints(9000, Eigen::Isometry3d(Eigen::Translation3d(0, 0, 0.5)));
+  for (int image = 0; image < 6; ++image) map.moveSome();
+  EXPECT_DOUBLE_EQ(map.points().at(1).p_map_m.z(), 3.0);
+  EXPECT_DOUBLE_EQ(map.points().at(6000).p_map_m.z(), 4.0);
+  EXPECT_DOUBLE_EQ(map.points().at(8999).p_map_m.z(), 3.0);
+  EXPECT_DOUBLE_EQ(map.points().at(9000).p_map_m.z(), 3.5);
+  EXPECT_DOUBLE_EQ(map.points().at(20001).p_map_m.z(), 2.5) << "recalled to where it belongs, and moved since";
+}
+
 /// What is recalled is where it belongs already.
 TEST_F(LocalMapTest, TheSideAPointWasSeenFromTurnsWithTheMap) {
   const PointId turned = map_.add(pointAt(0));

@@ -42,7 +42,9 @@ class MapFeedTest : public testing::Test {
     odometry.state = odometry::State::Ok;
     odometry.referenceKeyframe = id;
     if (isKeyframe) odometry.keyframe = test::makeView(id, ward_);
-    feed.update(makeFrame(stamp_s_ += 1.0), odometry, updates);
+    SharedUpdates shared;
+    for (const auto& found : updates) shared.push_back(std::make_shared<const odometry::MapUpdate>(found));
+    feed.update(makeFrame(stamp_s_ += 1.0), odometry, shared);
   }
   [[nodiscard]] std::size_t calls(const std::string& step) const {
     const auto statistics = profiler_.statistics();
@@ -70,7 +72,7 @@ TEST_F(MapFeedTest, AKeyframeIsThereBeforeWhatTheGraphSaysOfIt) {
   };
   update(1, true, {moved(1, 5.0)});
   EXPECT_EQ(x_m(), 5.0);
-  feed_.apply(moved(1, 6.0));
+  feed_.apply(std::make_shared<const odometry::MapUpdate>(moved(1, 6.0)));
   EXPECT_EQ(x_m(), 6.0);
 }
 

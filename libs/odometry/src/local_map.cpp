@@ -3,6 +3,25 @@
 #include <algorithm>
 
 namespace wardslam::odometry {
+namespace {
+
+constexpr std::size_t kMostAtOnce = 2000;  // points to be moved in one image
+
+/// What two maps have under one key. Costs what the smaller one holds.
+template <class A, class B, class Visit>
+void forEachOfBoth(A& a, B& b, const Visit& visit) {
+  if (a.size() <= b.size()) {
+    for (auto& [key, value] : a) {
+      if (const auto other = b.find(key); other != b.end()) visit(key, value, other->second);
+    }
+  } else {
+    for (auto& [key, value] : b) {
+      if (const auto other = a.find(key); other != a.end()) visit(key, other->second, value);
+    }
+  }
+}
+
+}  // namespace
 
 PointId LocalMap::add(const MapPoint& point) {
   points_.emplace(nextId_, point);
@@ -23,8 +42,18 @@ void LocalMap::link(KeyframeId keyframe, PointId point) {
 
 const MapPoint* LocalMap::find(PointId id) const {
   const auto found = points_.find(id);
-  return found == points_.end() ? nullptr : &found->second;
+  if (found == points_.end()) return nullptr;
+  putOff_.settle(id, found->second);
+  return &found->second;
 }
+
+MapPoint& LocalMap::at(PointId id) {
+  MapPoint& point = points_.at(id);
+  putOff_.settle(id, point);
+  return point;
+}
+
+void LocalMap::moveSome() { putOff_.settleSome(points_, kMostAtOnce); }
 
 std::vector<PointId> LocalMap::neighbourhood(const std::vector<PointId>& seeds) const {
   std::map<KeyframeId, std::size_t> votes;
@@ -50,7 +79,7 @@ std::vector<PointId> LocalMap::neighbourhood(const std::vector<PointId>& seeds) 
 
 void LocalMap::observe(PointId id, const core::Keypoint& keypoint, const core::CameraModel& camera,
                        const Eigen::Isometry3d& T_map_cam, std::uint64_t frame) {
-  MapPoint& point = points_.at(id);
+  MapPoint& point = at(id);
   point.lastSeenFrame = frame;
   ++point.timesFound;
   if (keypoint.hasDepth() && point.timesFound <= options_.max_fused)
@@ -59,30 +88,39 @@ void LocalMap::observe(PointId id, const core::Keypoint& keypoint, const core::C
 
 void LocalMap::describe(PointId id, const core::Keypoint& keypoint, const OrbDescriptor& descriptor,
                         const Eigen::Isometry3d& T_map_cam) {
-  describeFrom(points_.at(id), keypoint, descriptor, T_map_cam);
+  describeFrom(at(id), keypoint, descriptor, T_map_cam);
 }
 
-void LocalMap::apply(const MapUpdate& update, std::uint64_t frame, const Eigen::Matrix3d& R_map_before) {
-  for (const auto& [id, p_map_m] : update.p_map_m) {
-    const auto point = points_.find(id);
-    if (point == points_.end()) continue;
-    Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
-    turned.linear() = R_map_before;
-    turned.translation() = p_map_m - R_map_before * point->second.p_map_m;
-    move(point->second, turned);
+/// A loop moves the whole map, of which little is here, and less in sight.
+void LocalMap::apply(const std::shared_ptr<const MapUpdate>& update, std::uint64_t frame,
+                     const Eigen::Matrix3d& R_map_before) {
+  if (std::min(points_.size(), update->p_map_m.size()) > kMostAtOnce) {
+    putOff_.add(update, R_map_before);
+  } else {
+    forEachOfBoth(points_, update->p_map_m, [&](PointId id, MapPoint& point, const Eigen::Vector3d& p_map_m) {
+      putOff_.settle(id, point);
+      moveTo(p_map_m, R_map_before, point);
+    });
   }
-  recall(update, frame);  // these are where they belong already
-  for (const auto& [from, into] : update.fusedPoints) fuse(from, into);
-  for (const PointId id : update.removedPoints) remove(id);
-  for (const RemovedKeyframe& removed : update.removedKeyframes) removeKeyframe(removed.id);
+  recall(*update, frame);  // these are where they belong already
+  for (const auto& [from, into] : update->fusedPoints) fuse(from, into);
+  for (const PointId id : update->removedPoints) remove(id);
+  for (const RemovedKeyframe& removed : update->removedKeyframes) removeKeyframe(removed.id);
 }
 
 void LocalMap::movePoints(PointId first, const Eigen::Isometry3d& correction) {
-  for (auto point = points_.lower_bound(first); point != points_.end(); ++point) move(point->second, correction);
+  for (auto point = points_.lower_bound(first); point != points_.end(); ++point) {
+    putOff_.settle(point->first, point->second);
+    move(point->second, correction);
+  }
 }
 
 void LocalMap::recall(const MapUpdate& update, std::uint64_t frame) {
-  for (const auto& [id, point] : update.recalledPoints) points_.emplace(id, point).first->second.lastSeenFrame = frame;
+  for (const auto& [id, point] : update.recalledPoints) {
+    const auto [known, isNew] = points_.emplace(id, point);
+    if (isNew) putOff_.skip(id);
+    known->second.lastSeenFrame = frame;
+  }
   for (const auto& [id, points] : update.recalledKeyframes) addKeyframe(id, points);
 }
 
@@ -96,6 +134,7 @@ void LocalMap::cull() {
 }
 
 void LocalMap::clear() {
+  putOff_.clear();
   points_.clear();
   seenBy_.clear();
   keyframes_.clear();

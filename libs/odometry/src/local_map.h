@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "put_off_moves.h"
 #include "wardslam/odometry/keyframe.h"
 #include "wardslam/odometry/map_point.h"
 #include "wardslam/odometry/map_update.h"
@@ -23,6 +25,7 @@ class LocalMap {
 
   /// Null when the point was forgotten.
   [[nodiscard]] const MapPoint* find(PointId id) const;
+  /// All of them; where those lie that a loop moved, find() knows.
   [[nodiscard]] const std::map<PointId, MapPoint>& points() const { return points_; }
 
   /// The points seen by keyframes that saw one of `seeds`, keyframes with most of them first, up to the limit of
@@ -43,8 +46,16 @@ class LocalMap {
 
   /// Recalled points count as seen in `frame`, the last one. Where the points go, the map turns by `R_map_before`: from
   /// which side each was seen turns along.
-  void apply(const MapUpdate& update, std::uint64_t frame,
+  void apply(const std::shared_ptr<const MapUpdate>& update, std::uint64_t frame,
              const Eigen::Matrix3d& R_map_before = Eigen::Matrix3d::Identity());
+
+  void apply(const MapUpdate& update, std::uint64_t frame,
+             const Eigen::Matrix3d& R_map_before = Eigen::Matrix3d::Identity()) {
+    apply(std::make_shared<const MapUpdate>(update), frame, R_map_before);
+  }
+
+  /// With every image: what a loop moved is worked in little by little, so that no image waits for all of it.
+  void moveSome();
 
   /// Moves the points made from that one on, within the map frame.
   void movePoints(PointId first, const Eigen::Isometry3d& correction);
@@ -58,6 +69,7 @@ class LocalMap {
   void clear();
 
  private:
+  MapPoint& at(PointId id);
   void remove(PointId id);
   void removeKeyframe(KeyframeId id);
   void link(KeyframeId keyframe, PointId point);
@@ -67,7 +79,8 @@ class LocalMap {
 
   LocalMapOptions options_;
   PointId nextId_;
-  std::map<PointId, MapPoint> points_;
+  mutable std::map<PointId, MapPoint> points_;  ///< With `putOff_` they are where they belong.
+  mutable PutOffMoves putOff_;
   std::map<PointId, std::vector<KeyframeId>> seenBy_;     ///< Of points that are there,
   std::map<KeyframeId, std::vector<PointId>> keyframes_;  ///< and the same the other way round.
 };

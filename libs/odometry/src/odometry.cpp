@@ -64,6 +64,7 @@ class Odometry::Tracker {
                        const DepthImage& depth, const std::optional<MotionPrior>& motion, const Placement& placeAnew) {
     predict(motion);
     shutter_.begin(camera);
+    map_.moveSome();
     TrackedImage view{stamp_s, camera, features, shutter_.rectified(features, camera), depth, frame_++, predicted_};
     anchor_.see(depth, camera);
     if (state_ == State::Initialising) return initialise(view, placeAnew);
@@ -72,7 +73,7 @@ class Odometry::Tracker {
     return isFound ? accept(view, rectify(view, tracking)) : lose(view, tracking, placeAnew);
   }
 
-  Eigen::Isometry3d apply(const MapUpdate& update);
+  Eigen::Isometry3d apply(const std::shared_ptr<const MapUpdate>& update);
 
  private:
   struct LastKeyframe {
@@ -387,13 +388,13 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
   return result;
 }
 
-Eigen::Isometry3d Odometry::Tracker::apply(const MapUpdate& update) {
-  pieces_.apply(update);
-  if (update.submap != submap_) return Eigen::Isometry3d::Identity();
-  const Eigen::Isometry3d correction = correctionOfYounger(update);
+Eigen::Isometry3d Odometry::Tracker::apply(const std::shared_ptr<const MapUpdate>& update) {
+  pieces_.apply(*update);
+  if (update->submap != submap_) return Eigen::Isometry3d::Identity();
+  const Eigen::Isometry3d correction = correctionOfYounger(*update);
   map_.apply(update, frame_, correction.linear());
   for (PointId& id : lastSeen_) {
-    if (const auto fused = update.fusedPoints.find(id); fused != update.fusedPoints.end()) id = fused->second;
+    if (const auto fused = update->fusedPoints.find(id); fused != update->fusedPoints.end()) id = fused->second;
   }
   moveWhatIsYounger(correction);
   return correction;
@@ -438,6 +439,6 @@ OdometryResult Odometry::track(double stamp_s, const core::CameraModel& camera, 
   return tracker_->track(stamp_s, camera, staticFeatures, depth, motion, placeAnew);
 }
 
-Eigen::Isometry3d Odometry::apply(const MapUpdate& update) { return tracker_->apply(update); }
+Eigen::Isometry3d Odometry::apply(const std::shared_ptr<const MapUpdate>& update) { return tracker_->apply(update); }
 
 }  // namespace wardslam::odometry

@@ -67,7 +67,7 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
   return {std::move(frame), std::move(odometry)};
 }
 
-void FrontEnd::apply(const odometry::MapUpdate& update) {
+void FrontEnd::apply(const std::shared_ptr<const odometry::MapUpdate>& update) {
   const Eigen::Isometry3d correction = odometry_.apply(update);
   T_odom_map_ = T_odom_map_ * correction.inverse();
   groundWatch_.follow(correction);

@@ -4,20 +4,20 @@
 
 namespace wardslam::pipeline {
 
-void MapFeed::update(const core::Frame& frame, const odometry::OdometryResult& odometry,
-                     const std::vector<odometry::MapUpdate>& updates) {
+void MapFeed::update(const core::Frame& frame, const odometry::OdometryResult& odometry, const SharedUpdates& updates) {
   if (odometry.keyframe) add(odometry.keyframe);
-  for (const odometry::MapUpdate& found : updates) apply(found);
+  for (const auto& found : updates) apply(found);
   if (auto view = selection_.select(frame, odometry)) add(std::move(*view));
   if (odometry.keyframe && writer_ != nullptr) write();
 }
 
-void MapFeed::apply(const odometry::MapUpdate& update) {
-  if (writer_ == nullptr && update.T_map_cam.empty() && update.removedKeyframes.empty() && !update.joined) return;
+void MapFeed::apply(const std::shared_ptr<const odometry::MapUpdate>& update) {
+  const bool movesKeyframes = !update->T_map_cam.empty() || !update->removedKeyframes.empty() || update->joined;
+  if (writer_ == nullptr && !movesKeyframes) return;
   stage_.post([update, writer = writer_, &profiler = profiler_](mapping::MapBuilder& builder) {
     const auto correction = profiler.measure("mapping.correct");
-    builder.apply(update);
-    if (writer != nullptr) writer->apply(update);
+    builder.apply(*update);
+    if (writer != nullptr) writer->apply(*update);
   });
 }
 

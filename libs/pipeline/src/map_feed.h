@@ -9,6 +9,7 @@
 #include "wardslam/core/stage.h"
 #include "wardslam/mapping/map_builder.h"
 #include "wardslam/odometry/odometry.h"
+#include "wardslam/pipeline/shared_updates.h"
 #include "wardslam/pipeline/when_behind.h"
 #include "wardslam/storage/map_file_writer.h"
 
@@ -29,14 +30,13 @@ class MapFeed {
   void writeTo(storage::MapFileWriter& writer) { writer_ = &writer; }
 
   /// A frame, where it was taken, and what the keyframe graph found out since the frame before.
-  void update(const core::Frame& frame, const odometry::OdometryResult& odometry,
-              const std::vector<odometry::MapUpdate>& updates);
+  void update(const core::Frame& frame, const odometry::OdometryResult& odometry, const SharedUpdates& updates);
 
   /// Views that were left out because nobody knew yet who is in them.
   [[nodiscard]] std::size_t viewsWithoutMasks() const { return selection_.withoutMasks(); }
 
   /// What the keyframe graph found out after the last frame.
-  void apply(const odometry::MapUpdate& update);
+  void apply(const std::shared_ptr<const odometry::MapUpdate>& update);
 
  private:
   void add(const std::shared_ptr<const odometry::Keyframe>& keyframe);

@@ -137,14 +137,15 @@ odometry::OdometryResult SlamSystem::process(const std::shared_ptr<mrpt::obs::CO
   return odometry;
 }
 
-std::vector<odometry::MapUpdate> SlamSystem::takeOverUpdates() {
+SharedUpdates SlamSystem::takeOverUpdates() {
   auto updates = mapUpdates_.takeAll();
   for (const auto& update : updates) {
     const auto application = frontEnd_.profiler().measure("odometry.apply");
     frontEnd_.apply(update);
-    pieces_.apply(update);
-    for (FrameObserver* observer : observers_) observer->onUpdate(update);
+    pieces_.apply(*update);
+    for (FrameObserver* observer : observers_) observer->onUpdate(*update);
   }
+  takenOver_.insert(takenOver_.end(), updates.begin(), updates.end());
   return updates;
 }
 
@@ -155,11 +156,16 @@ void SlamSystem::noteRecognition(std::uint32_t piece, double stamp_s) {
 }
 
 /// A keyframe that comes while another is worked in has adjustments over the whole map end early, unless it can wait.
+/// What was taken over goes along: to free the update of a loop takes time, which is not tracking's.
 void SlamSystem::insert(const std::shared_ptr<const odometry::Keyframe>& keyframe) {
-  graphBuilding_.post([this, keyframe](graph::Mapper& mapper) {
+  graphBuilding_.post([this, keyframe, takenOver = std::exchange(takenOver_, {})](graph::Mapper& mapper) {
     const auto insertion = frontEnd_.profiler().measure("graph.insert");
-    mapUpdates_.put(mapper.insert(keyframe, canWait_ ? nullptr : &graphBuilding_.isWaitedFor()));
+    tell(mapper.insert(keyframe, canWait_ ? nullptr : &graphBuilding_.isWaitedFor()));
   });
+}
+
+void SlamSystem::tell(odometry::MapUpdate update) {
+  mapUpdates_.put(std::make_shared<const odometry::MapUpdate>(std::move(update)));
 }
 
 void SlamSystem::finish() {
@@ -167,8 +173,8 @@ void SlamSystem::finish() {
   failure.attempt([this] { finishGraph(); });
   failure.attempt([this] {
     for (const auto& update : mapUpdates_.takeAll()) {
-      pieces_.apply(update);
-      for (FrameObserver* observer : observers_) observer->onUpdate(update);
+      pieces_.apply(*update);
+      for (FrameObserver* observer : observers_) observer->onUpdate(*update);
       if (mapFeed_) mapFeed_->apply(update);
     }
   });
@@ -186,8 +192,8 @@ void SlamSystem::finishGraph() {
   failure.attempt([this] { mapper_ = graphBuilding_.finish(); });
   if (!mapper_) mapper_ = graphBuilding_.giveUp();
   failure.rethrow();
-  while (auto joined = mapper_->settle()) mapUpdates_.put(std::move(*joined));
-  mapUpdates_.put(mapper_->adjustAll());
+  while (auto joined = mapper_->settle()) tell(std::move(*joined));
+  tell(mapper_->adjustAll());
 }
 
 core::EventCounts SlamSystem::leftOut() const {

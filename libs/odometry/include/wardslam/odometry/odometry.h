@@ -90,7 +90,8 @@ class Odometry {
   /// Takes over better positions of points and keyframes. After a loop, what the mapper did not know yet, the camera
   /// above all, moves as the newest keyframe does that it knew; an update of a submap that tracking has left changes
   /// nothing. Returns how the camera was moved within the map frame.
-  Eigen::Isometry3d apply(const MapUpdate& update);
+  Eigen::Isometry3d apply(const std::shared_ptr<const MapUpdate>& update);
+  Eigen::Isometry3d apply(const MapUpdate& update) { return apply(std::make_shared<const MapUpdate>(update)); }
 
  private:
   class Tracker;

@@ -42,7 +42,7 @@ class FrontEnd {
                  const std::optional<odometry::MotionPrior>& motion = {});
 
   /// Takes over what the map found out.
-  void apply(const odometry::MapUpdate& update);
+  void apply(const std::shared_ptr<const odometry::MapUpdate>& update);
 
   /// After the last observation. Throws core::InputError when the run as a whole shows a wrong set-up.
   void requireSoundSetup();

@@ -19,6 +19,7 @@
 #include "wardslam/pipeline/earlier_map.h"
 #include "wardslam/pipeline/frame_observer.h"
 #include "wardslam/pipeline/front_end.h"
+#include "wardslam/pipeline/shared_updates.h"
 #include "wardslam/pipeline/slam_options.h"
 #include "wardslam/pipeline/trajectory_recorder.h"
 #include "wardslam/pipeline/when_behind.h"
@@ -119,7 +120,8 @@ class SlamSystem {
   };
 
   void insert(const std::shared_ptr<const odometry::Keyframe>& keyframe);
-  std::vector<odometry::MapUpdate> takeOverUpdates();
+  void tell(odometry::MapUpdate update);
+  SharedUpdates takeOverUpdates();
   void noteRecognition(std::uint32_t piece, double stamp_s);
   [[nodiscard]] static std::map<odometry::KeyframeId, Eigen::Isometry3d> posesIn(const graph::Mapper& mapper,
                                                                                  std::uint32_t piece);
@@ -136,7 +138,8 @@ class SlamSystem {
   TrajectoryRecorder trajectory_;
   std::vector<FrameObserver*> observers_;
 
-  core::Mailbox<odometry::MapUpdate> mapUpdates_;  ///< By the stage that follows.
+  core::Mailbox<std::shared_ptr<const odometry::MapUpdate>> mapUpdates_;  ///< By the stage that follows.
+  SharedUpdates takenOver_;                                               ///< By tracking, since the last keyframe.
   core::Stage<graph::Mapper> graphBuilding_;
   std::unique_ptr<core::Stage<mapping::MapBuilder>> mapBuilding_;  ///< Null where there is no semantic map.
   std::unique_ptr<MapFeed> mapFeed_;                               ///< Null where there is no semantic map.
