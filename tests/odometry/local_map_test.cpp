@@ -138,6 +138,7 @@ TEST_F(LocalMapTest, WhatALoopMovedIsThereWhoeverLooks) {
   large.max_points = 20000;
   LocalMap map(large);
   MapUpdate loop;
+  loop.movesTheMap = true;
   for (int i = 0; i < 10000; ++i) loop.p_map_m[map.add(pointAt(i))] = {static_cast<double>(i), 0, 3};
   map.apply(loop, 7);
   EXPECT_DOUBLE_EQ(map.points().at(5000).p_map_m.z(), 2.0) << "nobody has asked for it";
@@ -155,6 +156,12 @@ TEST_F(LocalMapTest, WhatALoopMovedIsThereWhoeverLooks) {
   EXPECT_DOUBLE_EQ(map.points().at(8999).p_map_m.z(), 3.0);
   EXPECT_DOUBLE_EQ(map.points().at(9000).p_map_m.z(), 3.5);
   EXPECT_DOUBLE_EQ(map.points().at(20001).p_map_m.z(), 2.5) << "recalled to where it belongs, and moved since";
+
+  MapUpdate adjustment = loop;
+  adjustment.movesTheMap = false;
+  for (auto& [id, p_map_m] : adjustment.p_map_m) p_map_m.z() = 5.0;
+  map.apply(adjustment, 9);
+  EXPECT_DOUBLE_EQ(map.points().at(5000).p_map_m.z(), 5.0) << "no loop: at once";
 }
 
 /// What is recalled is where it belongs already.

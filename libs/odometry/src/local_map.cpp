@@ -29,15 +29,17 @@ PointId LocalMap::add(const MapPoint& point) {
 }
 
 void LocalMap::addKeyframe(KeyframeId id, const std::vector<PointId>& points) {
-  for (const PointId point : points) link(id, point);
+  auto& seen = keyframes_[id];
+  for (const PointId point : points) link(id, seen, point);
+  if (seen.empty()) keyframes_.erase(id);
 }
 
-void LocalMap::link(KeyframeId keyframe, PointId point) {
+void LocalMap::link(KeyframeId keyframe, std::vector<PointId>& seen, PointId point) {
   if (points_.count(point) == 0) return;
   auto& seenBy = seenBy_[point];
   if (std::find(seenBy.begin(), seenBy.end(), keyframe) != seenBy.end()) return;
   seenBy.push_back(keyframe);
-  keyframes_[keyframe].push_back(point);
+  seen.push_back(point);
 }
 
 const MapPoint* LocalMap::find(PointId id) const {
@@ -91,10 +93,10 @@ void LocalMap::describe(PointId id, const core::Keypoint& keypoint, const OrbDes
   describeFrom(at(id), keypoint, descriptor, T_map_cam);
 }
 
-/// A loop moves the whole map, of which little is here, and less in sight.
+/// A loop moves the whole map, of which little is here, and less in sight. An adjustment moves what is around.
 void LocalMap::apply(const std::shared_ptr<const MapUpdate>& update, std::uint64_t frame,
                      const Eigen::Matrix3d& R_map_before) {
-  if (std::min(points_.size(), update->p_map_m.size()) > kMostAtOnce) {
+  if (update->movesTheMap && std::min(points_.size(), update->p_map_m.size()) > kMostAtOnce) {
     putOff_.add(update, R_map_before);
   } else {
     forEachOfBoth(points_, update->p_map_m, [&](PointId id, MapPoint& point, const Eigen::Vector3d& p_map_m) {
@@ -117,7 +119,7 @@ void LocalMap::movePoints(PointId first, const Eigen::Isometry3d& correction) {
 
 void LocalMap::recall(const MapUpdate& update, std::uint64_t frame) {
   for (const auto& [id, point] : update.recalledPoints) {
-    const auto [known, isNew] = points_.emplace(id, point);
+    const auto [known, isNew] = points_.try_emplace(id, point);
     if (isNew) putOff_.skip(id);
     known->second.lastSeenFrame = frame;
   }
@@ -165,7 +167,7 @@ void LocalMap::removeKeyframe(KeyframeId id) {
 void LocalMap::fuse(PointId from, PointId into) {
   const auto seenBy = seenBy_.find(from);
   if (seenBy != seenBy_.end()) {
-    for (const KeyframeId keyframe : seenBy->second) link(keyframe, into);
+    for (const KeyframeId keyframe : seenBy->second) link(keyframe, keyframes_.at(keyframe), into);
   }
   remove(from);
 }

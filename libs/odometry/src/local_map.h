@@ -72,7 +72,7 @@ class LocalMap {
   MapPoint& at(PointId id);
   void remove(PointId id);
   void removeKeyframe(KeyframeId id);
-  void link(KeyframeId keyframe, PointId point);
+  void link(KeyframeId keyframe, std::vector<PointId>& seen, PointId point);
   void recall(const MapUpdate& update, std::uint64_t frame);
   void fuse(PointId from, PointId into);
   void forgetOldest();
