@@ -26,6 +26,54 @@ TEST(KeyframeGraph, CountsSharedPointsMostFirst) {
   EXPECT_THAT(graph.covisible(4), IsEmpty());
 }
 
+/// By the points themselves.
+std::map<KeyframeId, std::size_t> sharedWith(const KeyframeGraph& graph, KeyframeId id) {
+  std::map<KeyframeId, std::size_t> shared;
+  for (const auto& [point, node] : graph.points()) {
+    if (node.seenBy.count(id) == 0) continue;
+    for (const KeyframeId other : node.seenBy) shared[other] += other == id ? 0 : 1;
+  }
+  shared.erase(id);
+  return shared;
+}
+
+void expectRightCounts(const KeyframeGraph& graph, const char* when) {
+  for (const auto& [id, node] : graph.keyframes()) {
+    const auto covisible = graph.covisible(id);
+    const std::map<KeyframeId, std::size_t> counted(covisible.begin(), covisible.end());
+    EXPECT_EQ(counted, sharedWith(graph, id)) << id << " " << when;
+    EXPECT_EQ(covisible.size(), counted.size());
+  }
+}
+
+TEST(KeyframeGraph, KeepsCountWhateverChanges) {
+  KeyframeGraph graph;
+  graph.insert(handMadeKeyframe(1, {1, 2, 3, 4}));
+  graph.insert(handMadeKeyframe(2, {1, 2, 5, 6}));
+  graph.insert(handMadeKeyframe(3, {1, 5, 6, 7}));
+  graph.insert(handMadeKeyframe(4, {1, 4, 7, 8}));
+  expectRightCounts(graph, "at first");
+  EXPECT_THAT(graph.covisible(1), ElementsAre(Pair(2, 2), Pair(4, 2), Pair(3, 1)));
+  graph.removeSighting(2, 1);
+  expectRightCounts(graph, "with a sighting less");
+  EXPECT_THAT(graph.covisible(2), ElementsAre(Pair(3, 2), Pair(1, 1)));
+  const auto before = graph.covisible(3);
+  graph.beginTrial();
+  graph.fuse(7, 1);  // both see it as 1, too
+  graph.fuse(5, 4);
+  expectRightCounts(graph, "with points that are one");
+  EXPECT_NE(graph.covisible(3), before);
+  graph.takeBack();
+  expectRightCounts(graph, "after a trial");
+  EXPECT_EQ(graph.covisible(3), before);
+  graph.fuse(5, 4);
+  graph.insert(handMadeKeyframe(5, {5, 4, 2}));  // the first two are one
+  expectRightCounts(graph, "with a keyframe that knows a point by two names");
+  graph.remove(3);
+  expectRightCounts(graph, "without a keyframe");
+  EXPECT_THAT(graph.covisible(5), ElementsAre(Pair(1, 2), Pair(2, 2), Pair(4, 1)));
+}
+
 TEST(KeyframeGraph, PlacesAKeyframeWhereThePreviousIsNow) {
   KeyframeGraph graph;
   graph.insert(handMadeKeyframe(1, {1}));

@@ -69,7 +69,7 @@ void KeyframeGraph::insertAt(const std::shared_ptr<const odometry::Keyframe>& ke
     if (!keypoint.hasDepth() && place != p_map_m.end()) keypoint = withDepthOf(place->second, keypoint, T_map_cam);
     if (known != points_.end()) {
       odometry::describeFrom(known->second.point, keypoint, descriptor, node.T_map_cam);
-      known->second.seenBy.insert(keyframe->id);
+      if (known->second.seenBy.insert(keyframe->id).second) countShared(keyframe->id, known->second.seenBy, 1);
     } else if (keypoint.hasDepth()) {
       points_[id] = {
           odometry::makeMapPoint(keypoint, descriptor, keyframe->camera, node.T_map_cam), {keyframe->id}, false};
@@ -82,16 +82,37 @@ void KeyframeGraph::insertAt(const std::shared_ptr<const odometry::Keyframe>& ke
 }
 
 std::vector<std::pair<KeyframeId, std::size_t>> KeyframeGraph::covisible(KeyframeId id) const {
-  std::map<KeyframeId, std::size_t> shared;
-  for (const auto& [point, keypoint] : keyframes_.at(id).keypointOf) {
-    for (const KeyframeId other : points_.at(point).seenBy) {
-      if (other != id) ++shared[other];
-    }
-  }
-  std::vector<std::pair<KeyframeId, std::size_t>> neighbours(shared.begin(), shared.end());
+  const auto shared = shared_.find(id);
+  if (shared == shared_.end()) return {};
+  std::vector<std::pair<KeyframeId, std::size_t>> neighbours(shared->second.begin(), shared->second.end());
   std::stable_sort(neighbours.begin(), neighbours.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   return neighbours;
+}
+
+void KeyframeGraph::countShared(KeyframeId id, const std::set<KeyframeId>& seenBy, int change) {
+  const auto count = [&](KeyframeId of, KeyframeId with) {
+    keepShared(of);
+    const auto points = shared_[of].try_emplace(with, 0).first;
+    points->second += static_cast<std::size_t>(change);
+    if (points->second == 0) shared_[of].erase(points);
+  };
+  for (const KeyframeId other : seenBy) {
+    if (other == id) continue;
+    count(id, other);
+    count(other, id);
+  }
+}
+
+void KeyframeGraph::countAllShared() {
+  shared_.clear();
+  for (const auto& [point, node] : points_) {
+    std::set<KeyframeId> seenBy;
+    for (const KeyframeId id : node.seenBy) {
+      countShared(id, seenBy, 1);
+      seenBy.insert(id);
+    }
+  }
 }
 
 void KeyframeGraph::setPose(KeyframeId id, const Eigen::Isometry3d& T_map_cam) {
@@ -119,6 +140,7 @@ void KeyframeGraph::removeSighting(KeyframeId keyframe, PointId point) {
   keyframes_.at(keyframe).keypointOf.erase(point);
   const auto node = points_.find(point);
   node->second.seenBy.erase(keyframe);
+  countShared(keyframe, node->second.seenBy, -1);
   if (node->second.seenBy.empty()) points_.erase(node);
 }
 
@@ -130,6 +152,7 @@ std::vector<PointId> KeyframeGraph::remove(KeyframeId id) {
     if (points_.count(point) == 0) removedPoints.push_back(point);
   }
   keyframes_.erase(id);
+  shared_.erase(id);
   return removedPoints;
 }
 
@@ -137,12 +160,19 @@ void KeyframeGraph::fuse(PointId from, PointId into) {
   keep(from);
   keep(into);
   if (trial_) trial_->fused.push_back(from);
+  std::set<KeyframeId> others = points_.at(from).seenBy;
+  for (const KeyframeId id : points_.at(from).seenBy) {
+    others.erase(id);
+    countShared(id, others, -1);
+  }
   for (const KeyframeId id : points_.at(from).seenBy) {
     keepSightings(id);
     auto& keypointOf = keyframes_.at(id).keypointOf;
     const std::size_t keypoint = keypointOf.at(from);
     keypointOf.erase(from);
-    if (keypointOf.emplace(into, keypoint).second) points_.at(into).seenBy.insert(id);
+    if (!keypointOf.emplace(into, keypoint).second) continue;
+    countShared(id, points_.at(into).seenBy, 1);
+    points_.at(into).seenBy.insert(id);
   }
   points_.erase(from);
   fusedInto_[from] = into;
@@ -180,6 +210,10 @@ void KeyframeGraph::keepSightings(KeyframeId id) {
   if (trial_ && trial_->keypointOf.count(id) == 0) trial_->keypointOf.emplace(id, keyframes_.at(id).keypointOf);
 }
 
+void KeyframeGraph::keepShared(KeyframeId id) {
+  if (trial_ && trial_->shared.count(id) == 0) trial_->shared.emplace(id, shared_[id]);
+}
+
 void KeyframeGraph::keep(PointId id) {
   if (trial_ && trial_->points.count(id) == 0) trial_->points.emplace(id, points_.at(id));
 }
@@ -197,6 +231,7 @@ void KeyframeGraph::takeBack() {
   for (auto& [id, node] : before.points) points_.insert_or_assign(id, std::move(node));
   for (const auto& [id, point] : before.moved) points_.at(id).point = point;
   for (auto& [id, sightings] : before.keypointOf) keyframes_.at(id).keypointOf = std::move(sightings);
+  for (auto& [id, shared] : before.shared) shared_[id] = std::move(shared);
   for (const auto& [id, submap] : before.submap) keyframes_.at(id).submap = submap;
   for (const KeyframeId id : before.settled) keyframes_.at(id).isSettled = true;
   for (const auto& [id, T_map_cam] : before.T_map_cam) keyframes_.at(id).T_map_cam = T_map_cam;

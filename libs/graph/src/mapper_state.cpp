@@ -47,6 +47,7 @@ void KeyframeGraph::resume(const GraphState& state) {
     }
     if (node.keyframe->submap != known.submap) joinedInto_[node.keyframe->submap] = known.submap;
   }
+  countAllShared();
   fusedInto_ = {state.fusedInto.begin(), state.fusedInto.end()};
 }
 

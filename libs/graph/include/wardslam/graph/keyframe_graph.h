@@ -97,6 +97,7 @@ class KeyframeGraph {
     std::map<KeyframeId, std::uint32_t> submap;
     std::set<KeyframeId> settled;
     std::map<KeyframeId, std::map<PointId, std::size_t>> keypointOf;
+    std::map<KeyframeId, std::map<KeyframeId, std::size_t>> shared;
     std::map<PointId, odometry::MapPoint> moved;
     std::map<PointId, PointNode> points;
     std::vector<PointId> fused;
@@ -104,6 +105,10 @@ class KeyframeGraph {
   };
 
   void unsettle(KeyframeId id, KeyframeNode& node);
+  /// So many points more, or less, that the keyframe shares with each of those.
+  void countShared(KeyframeId id, const std::set<KeyframeId>& seenBy, int change);
+  void countAllShared();
+  void keepShared(KeyframeId id);
   void keepSightings(KeyframeId id);
   void keep(PointId id);
   void keepPlace(PointId id);
@@ -114,6 +119,7 @@ class KeyframeGraph {
 
   std::map<KeyframeId, KeyframeNode> keyframes_;
   std::map<PointId, PointNode> points_;
+  std::map<KeyframeId, std::map<KeyframeId, std::size_t>> shared_;  ///< How many points two have in common.
   std::map<PointId, PointId> fusedInto_;
   std::map<std::uint32_t, std::uint32_t> joinedInto_;
   std::optional<Trial> trial_;
