@@ -2,12 +2,15 @@
 
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "wardslam/graph/graph_options.h"
 #include "wardslam/odometry/keyframe.h"
 
 namespace wardslam::graph {
+
+class DescriptorIndex;
 
 /// Which old keyframes look like a new one: an index over binary descriptors (locality-sensitive hashing), without a
 /// vocabulary that would have to be trained or downloaded. Knows nothing of geometry.
@@ -31,11 +34,9 @@ class PlaceRecognition {
                                                              const std::set<odometry::KeyframeId>& excluded) const;
 
  private:
-  struct Index;
-
   PlaceRecognitionOptions options_;
   std::vector<std::pair<odometry::KeyframeId, cv::Mat>> waiting_;  ///< Cannot be found yet.
-  std::unique_ptr<Index> index_;
+  std::unique_ptr<DescriptorIndex> index_;
 };
 
 }  // namespace wardslam::graph
