@@ -107,6 +107,31 @@ TEST_F(ObjectDatabaseTest, FindsThatTwoAreOneWhenOneMaskCoversBothTwice) {
   EXPECT_EQ(database_.objects().count(b), 0U);
 }
 
+/// One mask over the first and the third, one over the second and the third: where the first two are one, that is
+/// twice.
+TEST_F(ObjectDatabaseTest, CountsWhatWasSeenOfBothWhereTwoBecomeOne) {
+  const ObjectId a = see(evidence(kChair));
+  const ObjectId b = see(evidence(kChair));
+  const ObjectId c = see(evidence(kChair));
+  for (const ObjectId other : {a, b}) {
+    Evidence both = evidence(kChair);
+    both.onObjects = both.underMask = {{other, 50}, {c, 50}};
+    see(both);
+  }
+  EXPECT_THAT(database_.takeMerges(), IsEmpty());
+  database_.merge(b, a);
+  see(evidence(kCouch));  // of something else
+  EXPECT_THAT(database_.takeMerges(), ElementsAre(Pair(b, a), Pair(c, a)));
+}
+
+TEST_F(ObjectDatabaseTest, FindsThatTwoOfAnEarlierRunAreOne) {
+  const ObjectId a = see(evidence(kChair));
+  const ObjectId b = see(evidence(kChair));
+  database_.restore({{{a, b}, {2, 1}}});
+  see(evidence(kCouch));
+  EXPECT_THAT(database_.takeMerges(), ElementsAre(Pair(b, a)));
+}
+
 TEST_F(ObjectDatabaseTest, KeepsTheFirstIdOfAThingThatMoved) {
   const ObjectId lost = see(evidence(kChair));
   const ObjectId found = see(evidence(kChair));

@@ -104,6 +104,16 @@ TEST_F(SameThingsTest, ShareLessWhereAnImageShowedBothAsOne) {
   EXPECT_THAT(same(), IsEmpty()) << "a quarter";
 }
 
+TEST_F(SameThingsTest, AreLookedForAmongThosePairsThatOneIsOfWhichChanged) {
+  add(object(1, kChair, 0.0));
+  add(object(2, kChair, 0.1));
+  add(object(3, kChair, 5.0));
+  add(object(4, kChair, 5.1));
+  EXPECT_THAT(sameBoxes({3}, table_, database_, kNoMargin_m), ElementsAre(Pair(4, 3)));
+  EXPECT_THAT(sameBoxes({1, 2, 4, 9}, table_, database_, kNoMargin_m), ElementsAre(Pair(2, 1), Pair(4, 3)));
+  EXPECT_THAT(sameBoxes({}, table_, database_, kNoMargin_m), IsEmpty());
+}
+
 /// A chair that is known to be gone since 20 s, and one found since.
 class ReappearanceTest : public SameThingsTest {
  protected:

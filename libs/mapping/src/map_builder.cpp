@@ -118,6 +118,7 @@ void MapBuilder::Impl::restoreObjects(const SemanticMap& earlier, const MapMemor
     Part& home = part(object.piece);
     home.objects.restore(id, ObjectRecord::from(object, options_.objects.min_evidence));
     home.table.restore(object);
+    home.described.insert(id);
     if (zoneAt(object.piece, object.centroid_m) != object.zone) changes_.objects.insert(id);
     nextId_ = std::max(nextId_, id + 1);
   }
@@ -285,20 +286,24 @@ void MapBuilder::Impl::refresh() {
 
 void MapBuilder::Impl::describeTouched(Part& part) {
   takeMerges(part);
-  const auto before = part.table.rows();
-  const auto changed = part.table.update(std::exchange(part.touched, {}), part.objects, part.cloud);
+  const auto touched = std::exchange(part.touched, {});
+  const auto classOf = [&part](ObjectId id) {
+    const auto row = part.table.rows().find(id);
+    return row == part.table.rows().end() ? std::nullopt : std::optional(row->second.classId);
+  };
+  std::map<ObjectId, std::optional<core::ClassId>> before;
+  for (const ObjectId id : touched) before[id] = classOf(id);
+  const auto changed = part.table.update(touched, part.objects, part.cloud);
   for (const ObjectId id : changed) {
-    const auto was = before.find(id);
-    const auto is = part.table.rows().find(id);
-    const bool wasThere = was != before.end();
-    const bool isThere = is != part.table.rows().end();
-    if (wasThere != isThere || (isThere && was->second.classId != is->second.classId)) part.cloud.touchObject(id);
+    if (before.at(id) != classOf(id)) part.cloud.touchObject(id);
   }
+  part.described.insert(touched.begin(), touched.end());
   changes_.objects.insert(changed.begin(), changed.end());
 }
 
 void MapBuilder::Impl::mergeSameBoxes(Part& part) {
-  for (const auto& [from, into] : sameBoxes(part.table, part.objects, options_.cloud.voxel_m)) {
+  const auto described = std::exchange(part.described, {});  // others are as they were when last compared
+  for (const auto& [from, into] : sameBoxes(described, part.table, part.objects, options_.cloud.voxel_m)) {
     part.objects.merge(from, into);
   }
 }

@@ -21,7 +21,8 @@ struct Part {
   SemanticCloud cloud;
   ObjectDatabase objects;
   ObjectTable table;
-  std::set<ObjectId> touched;  ///< To be described anew.
+  std::set<ObjectId> touched;    ///< To be described anew.
+  std::set<ObjectId> described;  ///< Since boxes were compared last.
 };
 
 struct PlacedKeyframe {

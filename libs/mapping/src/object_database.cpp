@@ -162,15 +162,22 @@ void ObjectDatabase::relate(const std::vector<Evidence>& detections, const std::
       if (ratio(shared, visible) >= kCovered) covered.push_back(id);
     }
     for (std::size_t i = 0; i < covered.size(); ++i) {
-      for (std::size_t j = i + 1; j < covered.size(); ++j) ++relations_[ordered(covered[i], covered[j])].together;
+      for (std::size_t j = i + 1; j < covered.size(); ++j) {
+        const auto pair = ordered(covered[i], covered[j]);
+        ++relations_[pair].together;
+        moreTogether_.insert(pair);
+      }
     }
   }
 }
 
 void ObjectDatabase::mergeRelated() {
   std::vector<std::pair<ObjectId, ObjectId>> same;
-  for (const auto& [pair, relation] : relations_) {
-    if (relation.together >= kConvincing && relation.together > relation.apart) same.push_back(pair);
+  for (const auto& pair : std::exchange(moreTogether_, {})) {
+    const auto relation = relations_.find(pair);
+    if (relation == relations_.end()) continue;
+    const auto& [together, apart] = relation->second;
+    if (together >= kConvincing && together > apart) same.push_back(pair);
   }
   for (const auto& [into, from] : same) merge(from, into);
 }
@@ -205,6 +212,7 @@ void ObjectDatabase::merge(ObjectId from, ObjectId into) {
     const ObjectId a = pair.first == from ? into : pair.first;
     const ObjectId b = pair.second == from ? into : pair.second;
     if (a == b) continue;
+    if (a == into || b == into) moreTogether_.insert(ordered(a, b));
     relations[ordered(a, b)].together += relation.together;
     relations[ordered(a, b)].apart += relation.apart;
   }
@@ -250,6 +258,7 @@ void ObjectDatabase::reunite(ObjectId lost, ObjectId found) {
 void ObjectDatabase::absorb(ObjectDatabase&& other) {
   objects_.merge(other.objects_);
   relations_.merge(other.relations_);
+  moreTogether_.merge(other.moreTogether_);
 }
 
 }  // namespace wardslam::mapping

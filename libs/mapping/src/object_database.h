@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -59,7 +60,10 @@ class ObjectDatabase {
   /// An object of an earlier map.
   void restore(ObjectId id, const ObjectRecord& record) { objects_[id] = record; }
   void restore(const std::map<std::pair<ObjectId, ObjectId>, PairMemory>& pairs) {
-    for (const auto& [pair, memory] : pairs) relations_[pair] = memory;
+    for (const auto& [pair, memory] : pairs) {
+      relations_[pair] = memory;
+      moreTogether_.insert(pair);
+    }
   }
 
   /// The object each detection of one view shows; new ones get an id from `nextId`. `inSight`: how many points of each
@@ -120,6 +124,7 @@ class ObjectDatabase {
   ObjectOptions options_;
   std::map<ObjectId, ObjectRecord> objects_;
   std::map<std::pair<ObjectId, ObjectId>, PairMemory> relations_;  ///< The lesser id first.
+  std::set<std::pair<ObjectId, ObjectId>> moreTogether_;  ///< Of relations_, those that may have come to say one thing.
   std::vector<std::pair<ObjectId, ObjectId>> merges_;
   std::vector<Handling> handlings_;  ///< Of the last seconds.
 };

@@ -42,8 +42,13 @@ double sharedOfSmaller(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& 
   return shared.isEmpty() ? 0.0 : shared.volume() / std::min(first.volume(), second.volume());
 }
 
-bool coverOnePlace(const MapObject& a, const MapObject& b, bool areSeenAsOne, double margin_m) {
+/// What no image need be asked for.
+bool mayBeOne(const MapObject& a, const MapObject& b, double margin_m) {
   if (a.classId != b.classId || a.state == ObjectState::Gone || b.state == ObjectState::Gone) return false;
+  return sharedOfSmaller(a.box_m, b.box_m, margin_m) > 0.0;
+}
+
+bool coverOnePlace(const MapObject& a, const MapObject& b, bool areSeenAsOne, double margin_m) {
   const double shared = sharedOfSmaller(a.box_m, b.box_m, margin_m);
   const bool isOneSide = std::min(a.views, b.views) <= kFewViews;
   return shared > (isOneSide ? 0.0 : areSeenAsOne ? kSameBoxSeenAsOne : kSameBox);
@@ -82,17 +87,30 @@ bool isWitnessed(const MapObject& lost, const ObjectRecord& lostRecord, const Ma
 
 }  // namespace
 
-std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const ObjectTable& table, const ObjectDatabase& database,
-                                                     double margin_m) {
-  std::vector<std::pair<ObjectId, ObjectId>> same;
-  for (auto older = table.rows().begin(); older != table.rows().end(); ++older) {
-    for (auto newer = std::next(older); newer != table.rows().end(); ++newer) {
-      const bool areSeenAsOne = database.areSeenAsOne(older->first, newer->first);
-      if (!coverOnePlace(older->second, newer->second, areSeenAsOne, margin_m)) continue;
-      if (!database.areApart(older->first, newer->first)) same.emplace_back(newer->first, older->first);
+std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const std::set<ObjectId>& objects, const ObjectTable& table,
+                                                     const ObjectDatabase& database, double margin_m) {
+  std::set<std::pair<ObjectId, ObjectId>> pairs;  // the older first
+  for (const ObjectId id : objects) {
+    const auto row = table.rows().find(id);
+    if (row == table.rows().end()) continue;
+    for (const auto& [other, otherRow] : table.rows()) {
+      if (other != id && mayBeOne(row->second, otherRow, margin_m)) pairs.insert(std::minmax(id, other));
     }
   }
+  std::vector<std::pair<ObjectId, ObjectId>> same;
+  for (const auto& [older, newer] : pairs) {
+    const bool areSeenAsOne = database.areSeenAsOne(older, newer);
+    if (!coverOnePlace(table.rows().at(older), table.rows().at(newer), areSeenAsOne, margin_m)) continue;
+    if (!database.areApart(older, newer)) same.emplace_back(newer, older);
+  }
   return same;
+}
+
+std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const ObjectTable& table, const ObjectDatabase& database,
+                                                     double margin_m) {
+  std::set<ObjectId> all;
+  for (const auto& [id, row] : table.rows()) all.insert(id);
+  return sameBoxes(all, table, database, margin_m);
 }
 
 std::vector<Reappearance> reappearances(const ObjectTable& table, const ObjectDatabase& database,

@@ -16,6 +16,11 @@ namespace wardslam::mapping {
 [[nodiscard]] std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const ObjectTable& table,
                                                                    const ObjectDatabase& database, double margin_m);
 
+/// The same, of pairs with one of these at least.
+[[nodiscard]] std::vector<std::pair<ObjectId, ObjectId>> sameBoxes(const std::set<ObjectId>& objects,
+                                                                   const ObjectTable& table,
+                                                                   const ObjectDatabase& database, double margin_m);
+
 /// A record of what was lost, and one that may be the same thing at the place it was moved to.
 struct Reappearance {
   ObjectId lost = 0;

@@ -64,6 +64,7 @@ void SemanticCloud::moveTile(KeyframeId from, KeyframeId onto) {
     index_[point.cell] = {ontoIndex, static_cast<std::uint32_t>(tile.points.size())};
     tile.radius_m = std::max(tile.radius_m, point.p_cam_m.norm());
     tile.points.push_back(point);
+    noteVotes(ontoIndex, point.votes);
   }
   changed_.insert({from, onto});
   if (shifted_.erase(from) > 0) shifted_.insert(onto);
@@ -133,6 +134,7 @@ void SemanticCloud::update(const PointRef& ref, const Sample& sample, const Labe
   point.precision_m2 = std::min(point.precision_m2 + weight, kMostPrecision_m2);
   point.sigma_m = std::min(point.sigma_m, sample.sigma_m);
   point.votes.add(vote.object, vote.weight);
+  noteVote(ref.tile, vote.object);
   noteChange(point.object);
   setObject(point, point.votes.winner());
   changed_.insert(tile.keyframe);
@@ -150,6 +152,7 @@ void SemanticCloud::create(std::uint32_t tileIndex, const Sample& sample, const 
   point.precision_m2 = 1.0F / (sample.sigma_m * sample.sigma_m);
   point.sigma_m = sample.sigma_m;
   point.votes.add(vote.object, vote.weight);
+  noteVote(tileIndex, vote.object);
   setObject(point, point.votes.winner());
   point.sightings = 1;
   point.lastFusion = fusions_;
@@ -189,6 +192,7 @@ void SemanticCloud::merge(const PointRef& from, const PointRef& into) {
   kept.precision_m2 = std::min(kept.precision_m2 + gone.precision_m2, kMostPrecision_m2);
   kept.sigma_m = std::min(kept.sigma_m, gone.sigma_m);
   kept.votes.add(gone.votes);
+  noteVotes(into.tile, gone.votes);
   noteChange(kept.object);
   setObject(kept, kept.votes.winner());
   kept.sightings = std::max(kept.sightings, gone.sightings);
@@ -277,7 +281,8 @@ SemanticCloud::Look SemanticCloud::look(const core::CameraModel& camera, const E
 }
 
 void SemanticCloud::renameObject(ObjectId from, ObjectId into) {
-  for (Tile& tile : tiles_) {
+  for (const std::uint32_t t : tilesOf({from})) {
+    Tile& tile = tiles_[t];
     for (CloudPoint& point : tile.points) {
       point.votes.rename(from, into);
       if (point.object != from) continue;
@@ -285,11 +290,15 @@ void SemanticCloud::renameObject(ObjectId from, ObjectId into) {
       changed_.insert(tile.keyframe);
     }
   }
+  if (from == into) return;
+  lastVoted_ = {};
+  const auto renamed = tilesOf_.extract(from);
+  if (!renamed.empty()) tilesOf_[into].insert(renamed.mapped().begin(), renamed.mapped().end());
 }
 
 void SemanticCloud::eraseObject(ObjectId object) {
   std::vector<PointRef> gone;
-  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+  for (const std::uint32_t t : tilesOf({object})) {
     for (std::uint32_t i = 0; i < tiles_[t].points.size(); ++i) {
       const CloudPoint& point = tiles_[t].points[i];
       if (point.object != object) continue;
@@ -306,11 +315,23 @@ void SemanticCloud::remove(const std::vector<PointRef>& points) {
 }
 
 void SemanticCloud::touchObject(ObjectId object) {
-  for (const Tile& tile : tiles_) {
+  for (const std::uint32_t t : tilesOf({object})) {
+    const Tile& tile = tiles_[t];
     const bool hasIt = std::any_of(tile.points.begin(), tile.points.end(),
                                    [&](const CloudPoint& point) { return point.object == object; });
     if (hasIt) changed_.insert(tile.keyframe);
   }
+}
+
+void SemanticCloud::noteVote(std::uint32_t tile, ObjectId object) {
+  const std::pair voted(object, tile);
+  if (object == 0 || voted == lastVoted_) return;
+  tilesOf_[object].insert(tile);
+  lastVoted_ = voted;
+}
+
+void SemanticCloud::noteVotes(std::uint32_t tile, const ObjectVotes& votes) {
+  for (const ObjectVote& vote : votes.votes()) noteVote(tile, vote.object);
 }
 
 void SemanticCloud::noteChange(ObjectId object) {
@@ -341,7 +362,8 @@ void SemanticCloud::setObject(CloudPoint& point, ObjectId object) {
 std::map<ObjectId, std::vector<Eigen::Vector3f>> SemanticCloud::pointsOf(const std::set<ObjectId>& objects) const {
   std::map<ObjectId, std::vector<Eigen::Vector3f>> points;
   for (const ObjectId object : objects) points[object];
-  for (const Tile& tile : tiles_) {
+  for (const std::uint32_t t : tilesOf(objects)) {
+    const Tile& tile = tiles_[t];
     for (const CloudPoint& point : tile.points) {
       if (point.object == 0) continue;
       const auto wanted = points.find(point.object);
@@ -351,12 +373,22 @@ std::map<ObjectId, std::vector<Eigen::Vector3f>> SemanticCloud::pointsOf(const s
   return points;
 }
 
+std::set<std::uint32_t> SemanticCloud::tilesOf(const std::set<ObjectId>& objects) const {
+  std::set<std::uint32_t> tiles;
+  for (const ObjectId object : objects) {
+    const auto its = tilesOf_.find(object);
+    if (its != tilesOf_.end()) tiles.insert(its->second.begin(), its->second.end());
+  }
+  return tiles;
+}
+
 void SemanticCloud::absorb(SemanticCloud&& other) {
   std::vector<std::uint32_t> added;
   for (const auto& [keyframe, otherIndex] : other.tileOf_) {
     addTile(keyframe, Eigen::Isometry3d::Identity());
     added.push_back(tileOf_.at(keyframe));
     tiles_[added.back()] = std::move(other.tiles_[otherIndex]);
+    for (const CloudPoint& point : tiles_[added.back()].points) noteVotes(added.back(), point.votes);
   }
   for (const auto& [object, count] : other.pointCounts_) {
     pointCounts_[object] += count;

@@ -101,8 +101,8 @@ class SemanticCloud {
   Look look(const core::CameraModel& camera, const Eigen::Isometry3d& T_map_cam, const cv::Mat& depth_m,
             const cv::Mat& nearest_m);
 
-  void renameObject(ObjectId from, ObjectId into);
-  void eraseObject(ObjectId object);  ///< With all its points.
+  void renameObject(ObjectId from, ObjectId into);  ///< Also where another has more votes.
+  void eraseObject(ObjectId object);                ///< With all its points.
   void remove(const std::vector<PointRef>& points);
   void touchObject(ObjectId object);  ///< Its tiles count as changed.
 
@@ -110,6 +110,9 @@ class SemanticCloud {
 
   /// The points of each of these objects, in the map frame.
   [[nodiscard]] std::map<ObjectId, std::vector<Eigen::Vector3f>> pointsOf(const std::set<ObjectId>& objects) const;
+
+  /// Tiles that may have points of these objects, or votes for them, by their place in tiles(); nobody else has.
+  [[nodiscard]] std::set<std::uint32_t> tilesOf(const std::set<ObjectId>& objects) const;
 
   /// Takes over all tiles of another cloud, whose poses must be in this cloud's map frame by now.
   void absorb(SemanticCloud&& other);
@@ -133,6 +136,8 @@ class SemanticCloud {
   void enter(const std::vector<std::uint32_t>& tiles);
   void enterUnchanged(std::uint32_t tile);
 
+  void noteVote(std::uint32_t tile, ObjectId object);
+  void noteVotes(std::uint32_t tile, const ObjectVotes& votes);
   void noteChange(ObjectId object);
   void setObject(CloudPoint& point, ObjectId object);
 
@@ -141,7 +146,9 @@ class SemanticCloud {
   std::map<KeyframeId, std::uint32_t> tileOf_;
   std::vector<std::uint32_t> freeTiles_;  ///< Without keyframe and points, to be used again.
   std::unordered_map<std::uint64_t, PointRef, CellHash> index_;
-  std::map<ObjectId, std::size_t> pointCounts_;  ///< Of every object that has points.
+  std::map<ObjectId, std::size_t> pointCounts_;          ///< Of every object that has points.
+  std::map<ObjectId, std::set<std::uint32_t>> tilesOf_;  ///< In which a point has, or had, a vote for the object.
+  std::pair<ObjectId, std::uint32_t> lastVoted_;         ///< One of these: samples that follow each other vote alike.
   std::set<KeyframeId> changed_;
   std::set<ObjectId> changedObjects_;
   ObjectId lastChanged_ = 0;      ///< One of them: points that follow each other are mostly of one object.

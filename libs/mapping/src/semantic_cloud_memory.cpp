@@ -41,6 +41,8 @@ void SemanticCloud::restore(KeyframeId keyframe, const Eigen::Isometry3d& T_map_
     point.precision_m2 = m.precision_m2;
     point.sigma_m = m.sigma_m;
     point.votes = ObjectVotes(m.votes);
+    noteVotes(index, point.votes);
+    noteVote(index, m.object);
     point.sightings = m.sightings;
     point.evidence = m.evidence;
     setObject(point, m.object);
