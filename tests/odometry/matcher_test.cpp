@@ -126,6 +126,10 @@ TEST_F(MatcherTest, AnywhereTheBestMustBeMutualClearAndSimilar) {
 
   const OrbDescriptor between = bits(30, 60);  // 60 bits from the first, 60 from the second
   EXPECT_THAT(searchEverywhere({{7, &between}}), IsEmpty());
+  addKeypoint(300, 300, bits(200, 30));
+  addKeypoint(400, 300, bits(200, 29));
+  const OrbDescriptor oneOfTwo = bits(200, 19);  // 11 bits from one, 10 from the next
+  EXPECT_THAT(searchEverywhere({{7, &oneOfTwo}}), IsEmpty());
   const OrbDescriptor stranger = bits(170, 80);
   EXPECT_THAT(searchEverywhere({{7, &stranger}}), IsEmpty());
 }
