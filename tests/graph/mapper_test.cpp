@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <numeric>
 #include <opencv2/core.hpp>
 #include <set>
 
+#include "graph/hand_made_keyframe.h"
 #include "graph/mapper_walk.h"
 #include "graph/staged_mapper.h"
 #include "graph/synthetic_walk.h"
@@ -330,6 +332,29 @@ TEST_F(MapperTest, KeepsAllKeyframesWhenTold) {
   Mapper mapper(options, {});
   for (int i = 0; i < kRound + 12; ++i) walk_.recall(mapper.insert(walk_.step()));
   EXPECT_EQ(mapper.graph().keyframes().size(), static_cast<std::size_t>(kRound + 12));
+}
+
+TEST(MapperRecall, TellsOfAPlaceThatManyKeyframesShowAFewAtATime) {
+  GraphOptions options;
+  options.close_loops = false;
+  options.cull_keyframes = false;
+  options.place_recognition.min_keyframe_gap = 5;
+  options.bundle_adjustment.min_shared_points = 15;
+  std::vector<PointId> here(16);
+  std::vector<PointId> elsewhere(16);
+  std::iota(here.begin(), here.end(), PointId{1});
+  std::iota(elsewhere.begin(), elsewhere.end(), PointId{101});
+  Mapper mapper(options, {});
+  KeyframeId id = 0;
+  while (id < 30) mapper.insert(test::handMadeKeyframe(++id, here));
+  while (id < 36) mapper.insert(test::handMadeKeyframe(++id, elsewhere));
+  for (const KeyframeId first : {1, 11, 21}) {
+    const auto recalled = mapper.insert(test::handMadeKeyframe(++id, here)).recalledKeyframes;
+    EXPECT_EQ(recalled.size(), 10U);
+    EXPECT_EQ(recalled.begin()->first, first);
+    EXPECT_EQ(recalled.rbegin()->first, first + 9);
+  }
+  EXPECT_TRUE(mapper.insert(test::handMadeKeyframe(++id, here)).recalledKeyframes.empty()) << "all are known";
 }
 
 TEST(MapperInStage, FedSlowlyItMakesTheMapOfThePlainOne) {

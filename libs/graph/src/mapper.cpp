@@ -21,6 +21,8 @@
 namespace wardslam::graph {
 namespace {
 
+constexpr std::size_t kMostRecalled = 10;  // keyframes in one update: tracking takes it over between two images
+
 /// The whole submap as tracking should know it; what is held is where it always was.
 void describe(const KeyframeGraph& graph, std::uint32_t submap, odometry::MapUpdate& update) {
   for (const auto& [id, node] : graph.keyframes()) {
@@ -383,22 +385,28 @@ void Mapper::fuse(const Loop& loop, odometry::MapUpdate& update) {
 }
 
 /// Tracking forgets what it has not seen for long, and of what a loop ties on it knows one place only: as a known place
-/// comes near, it is told.
+/// comes near, it is told; of a place that many keyframes show a few at a time, those first that see most of the same.
 void Mapper::recallAround(KeyframeId newest, odometry::MapUpdate& update) {
-  std::set<KeyframeId> around;
+  std::vector<KeyframeId> around;
+  std::set<KeyframeId> known{newest};
   const auto addNeighboursOf = [&](KeyframeId keyframe) {
     for (const auto& [id, shared] : graph_.covisible(keyframe)) {
-      if (shared >= static_cast<std::size_t>(options_.bundle_adjustment.min_shared_points)) around.insert(id);
+      if (shared < static_cast<std::size_t>(options_.bundle_adjustment.min_shared_points)) break;
+      if (known.insert(id).second) around.push_back(id);
     }
   };
   addNeighboursOf(newest);
-  for (const KeyframeId id : std::set<KeyframeId>(around)) addNeighboursOf(id);
+  for (const KeyframeId id : std::vector<KeyframeId>(around)) addNeighboursOf(id);
   const auto gap = static_cast<KeyframeId>(options_.place_recognition.min_keyframe_gap);
+  std::set<KeyframeId> told;
+  std::size_t news = 0;
   for (const KeyframeId id : around) {
-    const bool isJustMade = id + gap > newest;
-    if (!isJustMade && around_.count(id) == 0) recall(id, update);
+    const bool isKnown = id + gap > newest || around_.count(id) != 0;
+    if (!isKnown && ++news > kMostRecalled) continue;
+    if (!isKnown) recall(id, update);
+    told.insert(id);
   }
-  around_ = std::move(around);
+  around_ = std::move(told);
 }
 
 void Mapper::recall(KeyframeId id, odometry::MapUpdate& update) const {

@@ -120,7 +120,7 @@ class Mapper {
   std::optional<std::uint32_t> keptMap_;            ///< The piece whose frame an earlier run made that of the map.
   std::multimap<KeyframeId, PointId> onProbation_;  ///< Points by the keyframe that made them.
   std::deque<KeyframeId> young_;                    ///< Too young to be recognised.
-  std::set<KeyframeId> around_;                     ///< Keyframes around the newest.
+  std::set<KeyframeId> around_;                     ///< Keyframes around the newest that tracking knows.
   PlaceRecognition places_;
   LoopVerification verification_;
   std::unique_ptr<LoopConfirmation> confirmation_;
