@@ -35,7 +35,7 @@ class ReproductionRun {
     while (step(interruption)) onFinished();
   }
 
-  [[nodiscard]] std::size_t cells() const { return todo_.size() + finished_; }  ///< Those that can be run.
+  [[nodiscard]] std::size_t cells() const { return todo_.size() + underWay_.size() + finished_; }  ///< Can be run.
   [[nodiscard]] std::size_t finished() const { return finished_; }
   [[nodiscard]] std::size_t finishedBefore() const { return finishedBefore_; }
   [[nodiscard]] const reproduction::Results& results() const { return results_; }
