@@ -45,7 +45,8 @@ class Gate {
 };
 
 class StageInBothThreads : public testing::TestWithParam<StageThread> {};
-INSTANTIATE_TEST_SUITE_P(Stage, StageInBothThreads, testing::Values(StageThread::Caller, StageThread::Own));
+INSTANTIATE_TEST_SUITE_P(Stage, StageInBothThreads,
+                         testing::Values(StageThread::Caller, StageThread::Own, StageThread::GivesWay));
 
 TEST_P(StageInBothThreads, WorksInOrderAndGivesTheWorkerBack) {
   Stage<Worker> stage(worker(), GetParam());
@@ -96,12 +97,16 @@ TEST(StageInTheCallingThread, ThrowsWhereItIsPostedAndGoesOn) {
   EXPECT_THAT(stage.finish()->done, ElementsAre(2));
 }
 
-TEST(StageInItsOwnThread, GivesWayToOthers) {
+TEST(StageInItsOwnThread, GivesWayToOthersWhereItIsToldTo) {
   const auto niceness = [] { return getpriority(PRIO_PROCESS, 0); };
   const int before = niceness();
-  Stage<Worker> stage(worker(), StageThread::Own);
-  stage.post([&](Worker& w) { w.done.push_back(niceness()); });
-  EXPECT_GT(stage.finish()->done.at(0), before);
+  const auto nicenessIn = [&](StageThread thread) {
+    Stage<Worker> stage(worker(), thread);
+    stage.post([&](Worker& w) { w.done.push_back(niceness()); });
+    return stage.finish()->done.at(0);
+  };
+  EXPECT_GT(nicenessIn(StageThread::GivesWay), before);
+  EXPECT_EQ(nicenessIn(StageThread::Own), before);
   EXPECT_EQ(niceness(), before);
 }
 

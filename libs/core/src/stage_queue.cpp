@@ -11,7 +11,7 @@ namespace wardslam::core {
 StageQueue::StageQueue(StageThread thread, const StageCapacity& capacity) : capacity_(capacity) {
   if (capacity.required == 0)
     throw std::invalid_argument("a stage without room for required tasks would wait for ever");
-  if (thread == StageThread::Own) thread_ = std::thread([this] { run(); });
+  if (thread != StageThread::Caller) thread_ = std::thread([this, thread] { run(thread); });
 }
 
 StageQueue::~StageQueue() { stop(); }
@@ -86,8 +86,8 @@ void StageQueue::leaveOneOut() {
   ++leftOut_;
 }
 
-void StageQueue::run() {
-  lowerThreadPriority();
+void StageQueue::run(StageThread thread) {
+  if (thread == StageThread::GivesWay) lowerThreadPriority();
   while (const auto next = takeNext()) {
     try {
       next->task();

@@ -9,8 +9,9 @@ namespace wardslam::core {
 
 void lowerThreadPriority() {
 #ifdef __linux__
-  constexpr int kNice = 10;  // a tenth of the share of another thread
-  static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice));  // of this thread alone
+  constexpr int kNicer = 10;  // a tenth of the share of another thread
+  const auto thisThread = static_cast<id_t>(gettid());
+  static_cast<void>(setpriority(PRIO_PROCESS, thisThread, getpriority(PRIO_PROCESS, thisThread) + kNicer));
 #endif
 }
 

@@ -70,8 +70,10 @@ auto askInTurn(core::Stage<Worker>& stage, Ask ask) {
   return answered.get();
 }
 
-core::StageThread threadOf(const SlamOptions& options) {
-  return options.deterministic ? core::StageThread::Caller : core::StageThread::Own;
+/// Who waits for a map gains nothing where its threads give way, and on a busy computer loses much.
+core::StageThread threadOf(const SlamOptions& options, WhenBehind whenBehind) {
+  if (options.deterministic) return core::StageThread::Caller;
+  return whenBehind == WhenBehind::Waits ? core::StageThread::Own : core::StageThread::GivesWay;
 }
 
 /// A recording waits at a keyframe until the one before is worked in: what tracking is told late of known places, it
@@ -101,7 +103,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, Wh
       zones_(zonesOf(options, earlier.semantic)),
       canWait_(whenBehind == WhenBehind::Waits),
       trajectory_(options.trajectory),
-      graphBuilding_(makeMapper(options, earlier), threadOf(options), graphCapacity(whenBehind)) {
+      graphBuilding_(makeMapper(options, earlier), threadOf(options, whenBehind), graphCapacity(whenBehind)) {
   hasEarlierMap_ = !earlier.graph.keyframes.empty();
   if (hasEarlierMap_) pieces_ = odometry::Pieces(earlier.graph.map);
   requireSameNames(labelSpace(), options.segments(), earlier.semantic);
@@ -109,7 +111,7 @@ SlamSystem::SlamSystem(const SlamOptions& options, const EarlierMap& earlier, Wh
   if (!options.mapping.enabled) return;
   mapBuilding_ = std::make_unique<core::Stage<mapping::MapBuilder>>(
       makeMapBuilder(options, {labelSpace(), frontEnd_.movers(), zones_, frontEnd_.movables()}, earlier),
-      threadOf(options), mapCapacity(whenBehind));
+      threadOf(options, whenBehind), mapCapacity(whenBehind));
   mapFeed_ = std::make_unique<MapFeed>(*mapBuilding_, makeViewSelection(options), frontEnd_.profiler(), whenBehind);
 }
 

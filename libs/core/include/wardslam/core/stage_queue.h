@@ -14,8 +14,9 @@ namespace wardslam::core {
 
 /// Where a stage does its work.
 enum class StageThread {
-  Caller,  ///< At once, in the thread that posts: same input, same results.
-  Own,     ///< Behind, in a thread that gives way to others (lowerThreadPriority).
+  Caller,    ///< At once, in the thread that posts: same input, same results.
+  Own,       ///< Behind, in a thread like any other.
+  GivesWay,  ///< Behind, in a thread that gives way to others (lowerThreadPriority).
 };
 
 /// What happens to a task when too much waits.
@@ -56,7 +57,7 @@ class StageQueue {
 
   void enqueue(Waiting waiting);
   void leaveOneOut();
-  void run();
+  void run(StageThread thread);
   [[nodiscard]] std::optional<Waiting> takeNext();
   void noteDone();
 
