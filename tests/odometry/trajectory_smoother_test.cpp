@@ -117,6 +117,15 @@ TEST(TrajectorySmoother, TurnsAPoseByAsMuchAsItIsUnsureAndTheCameraSlow) {
   EXPECT_NEAR(Eigen::AngleAxisd(trajectory[0].T_map_cam.linear()).angle(), 0.5 * turned_rad, 1e-5);
 }
 
+TEST(TrajectorySmoother, LeadsThroughWhatIsKnown) {
+  auto way = evenWay(60, sigmas(0.003, 0.001));
+  way[30].T_map_cam.translation().y() += 0.02;
+  way[30].covariance.reset();
+  const auto trajectory = smoothed(way, {});
+  EXPECT_TRUE(trajectory[30].T_map_cam.isApprox(way[30].T_map_cam, 1e-12));
+  EXPECT_GT(trajectory[29].T_map_cam.translation().y(), 1.005) << "and what is beside it goes along";
+}
+
 TEST(TrajectorySmoother, BelievesWhatIsSure) {
   SmoothingOptions options;
   options.least_sigma_m = 0.0;

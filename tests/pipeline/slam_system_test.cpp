@@ -149,7 +149,6 @@ TEST_F(SlamSystemTest, GraphMapFileAndTrajectoryAgreeInTheEnd) {
     const test::TemporaryFolder folder;
     SlamOptions options = withoutFilters();
     options.deterministic = deterministic;
-    options.trajectory.velocity_change_mps = 0.0;  // poses as they are in the map
     storage::MapFileWriter writer(folder.path() / "map.wardmap", {});
     SlamSystem slam(options);
     slam.writeTo(writer);

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <memory>
+
 namespace wardslam::pipeline {
 namespace {
 
@@ -58,21 +60,39 @@ TEST(TrajectoryRecorder, BridgesAMomentInWhichTheCameraWasLost) {
   EXPECT_FALSE(trajectory[2].isBridged);
 }
 
-TEST(TrajectoryRecorder, MeasuresCountAsTheyAreSure) {
-  TrajectoryRecorder recorder;
+/// Of nine frames on the way the middle one is 5 cm off, and says that it is not sure.
+void recordAnUnsureOne(TrajectoryRecorder& recorder, const std::shared_ptr<const odometry::Keyframe>& keyframe = {}) {
   for (int i = 0; i < 9; ++i) {
     core::Frame frame;
     frame.stamp_s = 1.0 + 0.1 * i;
     odometry::OdometryResult odometry;
     odometry.state = odometry::State::Ok;
-    odometry.referenceKeyframe = 1;
-    odometry.T_keyframe_cam = at(0.1 * i, i == 4 ? 0.05 : 0.0);
+    odometry.referenceKeyframe = i == 4 && keyframe ? 2 : 1;
+    odometry.T_keyframe_cam = i == 4 && keyframe ? at(0, 0) : at(0.1 * i, i == 4 ? 0.05 : 0.0);
     odometry.covariance = odometry::PoseCovariance::Identity() * (i == 4 ? 0.01 : 1e-6);
+    if (i == 4) odometry.keyframe = keyframe;
     recorder.onFrame(frame, odometry);
   }
+}
+
+TEST(TrajectoryRecorder, MeasuresCountAsTheyAreSure) {
+  TrajectoryRecorder recorder;
+  recordAnUnsureOne(recorder);
   const auto trajectory = recorder.corrected({{1, at(0, 0)}});
   ASSERT_EQ(trajectory.size(), 9U);
   EXPECT_NEAR(trajectory[4].T_map_cam.translation().y(), 0.0, 0.005) << "it was not sure at all";
+}
+
+TEST(TrajectoryRecorder, TheWayLeadsThroughKeyframes) {
+  TrajectoryRecorder recorder;
+  recordAnUnsureOne(recorder, std::make_shared<odometry::Keyframe>());
+  const auto through = recorder.corrected({{1, at(0, 0)}, {2, at(0.4, 0.05)}});
+  EXPECT_TRUE(through.at(4).T_map_cam.isApprox(at(0.4, 0.05), 1e-12)) << "where it is in the map";
+  odometry::MapUpdate update;
+  update.removedKeyframes = {{2, 1, at(0.4, 0.05)}};
+  recorder.onUpdate(update);
+  const auto by = recorder.corrected({{1, at(0, 0)}});
+  EXPECT_NEAR(by.at(4).T_map_cam.translation().y(), 0.0, 0.005) << "it is a frame as others now";
 }
 
 TEST(TrajectoryRecorder, FramesOfARemovedKeyframeHangOnItsHeir) {

@@ -100,9 +100,11 @@ std::vector<Motion> likeliestMotions(const Poses& poses, const Range& range, con
   std::vector<Motion> motions(end - first, Motion{});
   ceres::Problem problem;
   for (std::size_t i = first; i < end; ++i) {
-    if (poses[i].isKnown()) {
-      const PoseCovariance covariance = poses[i].covariance.value_or(PoseCovariance::Zero());
-      problem.AddResidualBlock(measurement(covariance, options.least_sigma_m), nullptr, motions[i - first].data());
+    problem.AddParameterBlock(motions[i - first].data(), 6);
+    if (poses[i].isExact()) problem.SetParameterBlockConstant(motions[i - first].data());
+    if (poses[i].covariance) {
+      problem.AddResidualBlock(measurement(*poses[i].covariance, options.least_sigma_m), nullptr,
+                               motions[i - first].data());
     }
     if (i < first + 2) continue;
     auto* const change =

@@ -6,7 +6,7 @@ namespace wardslam::pipeline {
 
 void TrajectoryRecorder::onFrame(const core::Frame& frame, const odometry::OdometryResult& odometry) {
   if (odometry.state == odometry::State::Initialising) return;
-  RelativePose pose{frame.stamp_s, odometry.T_keyframe_cam, {}, odometry.hasPose()};
+  RelativePose pose{frame.stamp_s, odometry.T_keyframe_cam, {}, odometry.hasPose(), odometry.keyframe != nullptr};
   if (odometry.covariance) pose.covariance = odometry.covariance->cast<float>();
   framesOf_[odometry.referenceKeyframe].push_back(pose);
 }
@@ -18,6 +18,7 @@ void TrajectoryRecorder::onUpdate(const odometry::MapUpdate& update) {
     auto& heirs = framesOf_[removed.heir];
     for (RelativePose pose : frames.mapped()) {
       pose.T_keyframe_cam = removed.T_heir_cam * pose.T_keyframe_cam;
+      pose.isKeyframe = false;
       heirs.push_back(pose);
     }
   }
@@ -31,7 +32,7 @@ core::Trajectory TrajectoryRecorder::corrected(
     if (placed == T_map_keyframe.end()) continue;  // of another piece
     for (const RelativePose& pose : frames) {
       poses.push_back({pose.stamp_s, placed->second * pose.T_keyframe_cam, {}, pose.isSeen});
-      if (pose.covariance) poses.back().covariance = pose.covariance->cast<double>();
+      if (pose.covariance && !pose.isKeyframe) poses.back().covariance = pose.covariance->cast<double>();
     }
   }
   std::stable_sort(poses.begin(), poses.end(), [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });

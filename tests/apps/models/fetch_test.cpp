@@ -107,7 +107,8 @@ TEST(VerifyFile, ComparesSizeAndChecksum) {
     return ModelFile{"net.onnx", "", size, std::move(checksum)};
   };
   EXPECT_EQ(verifyFile(expected(3, Checksum{"sha256", kSha256}), file), Verification::Matches);
-  EXPECT_EQ(verifyFile(expected({}, Checksum{"sha512", core::digestOfFile(file, "sha512")}), file), Verification::Matches);
+  EXPECT_EQ(verifyFile(expected({}, Checksum{"sha512", core::digestOfFile(file, "sha512")}), file),
+            Verification::Matches);
   EXPECT_EQ(verifyFile(expected(3, {}), file), Verification::NoChecksumKnown);
   EXPECT_EQ(verifyFile(expected({}, {}), file), Verification::NoChecksumKnown);
   EXPECT_THROW((void)verifyFile(expected(4, {}), file), InputError);

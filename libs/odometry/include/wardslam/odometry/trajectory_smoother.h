@@ -14,10 +14,11 @@ namespace wardslam::odometry {
 struct EstimatedPose {
   double stamp_s = 0.0;
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
-  std::optional<PoseCovariance> covariance;  ///< As OdometryResult::covariance. Nothing: exact, if it was seen.
+  std::optional<PoseCovariance> covariance;  ///< As OdometryResult::covariance. Nothing: it stays, if it was seen.
   bool isSeen = true;                        ///< By the image of that time. Else it was led there, or nobody knows.
 
   [[nodiscard]] bool isKnown() const { return isSeen || covariance; }
+  [[nodiscard]] bool isExact() const { return isSeen && !covariance; }
 };
 
 /// The likeliest way through poses measured one by one, in order of time: each is as sure as its covariance says, and

@@ -23,7 +23,7 @@ class TrajectoryRecorder : public FrameObserver {
   void onUpdate(const odometry::MapUpdate& update) override;
 
   /// One pose per frame tracked by one of these keyframes, by where they are now, on one way (odometry::smoothed), and
-  /// for those not tracked in between.
+  /// for those not tracked in between. The way leads through the keyframes themselves.
   [[nodiscard]] core::Trajectory corrected(
       const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const;
 
@@ -34,6 +34,7 @@ class TrajectoryRecorder : public FrameObserver {
     Eigen::Isometry3d T_keyframe_cam = Eigen::Isometry3d::Identity();
     std::optional<Eigen::Matrix<float, 6, 6>> covariance;
     bool isSeen = true;
+    bool isKeyframe = false;  ///< Itself: many images say where it is, and the way leads through it.
   };
 
   odometry::SmoothingOptions options_;
