@@ -218,8 +218,11 @@ void RunFolder::finish(const RunSummary& summary) {
   failure.attempt([&] { frames_.finish(); });
   failure.attempt([&] { load_.finish(); });
   failure.attempt([&] { removeTrajectoriesOfPieces(folder_); });
-  const core::Trajectory inMap = summary.slam.trajectory();
-  failure.attempt([&] { writeTrajectory(folder_ / "trajectory.txt", inMap, stampOrigin_s_); });
+  core::Trajectory inMap;
+  failure.attempt([&] {
+    inMap = summary.slam.trajectory();
+    writeTrajectory(folder_ / "trajectory.txt", inMap, stampOrigin_s_);
+  });
   failure.attempt([&] {
     for (const auto& [piece, trajectory] : summary.slam.unjoinedTrajectories()) {
       writeTrajectory(folder_ / ("trajectory_piece_" + std::to_string(piece) + ".txt"), trajectory, stampOrigin_s_);

@@ -9,6 +9,7 @@ namespace wardslam::graph {
 namespace {
 
 constexpr std::size_t kDescriptorBits = 256;
+
 }  // namespace
 
 /// Which bits make a key does not matter, as long as they are the same in every run.

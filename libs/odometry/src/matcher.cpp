@@ -11,39 +11,6 @@ namespace {
 
 constexpr double kMaxScaleRatio = 1.5;  // two levels of ORB's pyramid and a bit
 
-struct Candidate {
-  std::size_t keypoint = 0;
-  int distance = std::numeric_limits<int>::max();
-};
-
-bool isOfScale(const core::Keypoint& keypoint, double scale) {
-  const double ratio = static_cast<double>(keypoint.scale) / scale;
-  return ratio < kMaxScaleRatio && ratio > 1.0 / kMaxScaleRatio;
-}
-
-/// The most similar key point near the projection, if it is similar enough and clearly the best.
-std::optional<Candidate> bestCandidate(const ProjectedPoint& point, const core::Features& features,
-                                       const KeypointGrid& grid, double radius_px, const MatcherOptions& options) {
-  Candidate best;
-  Candidate second;
-  grid.forEachNear(point.undistorted_px, radius_px * point.scale, [&](std::size_t index) {
-    if (!isOfScale(features.keypoints[index], point.scale)) return;
-    const auto* descriptor = features.descriptors.ptr(static_cast<int>(index));
-    const int distance = cv::hal::normHamming(point.descriptor->data(), descriptor, sizeof(OrbDescriptor));
-    if (distance < best.distance) {
-      second = best;
-      best = {index, distance};
-    } else if (distance < second.distance) {
-      second = {index, distance};
-    }
-  });
-  if (best.distance > options.max_descriptor_distance) return std::nullopt;
-  if (second.distance != std::numeric_limits<int>::max() && best.distance > options.max_ratio * second.distance) {
-    return std::nullopt;
-  }
-  return best;
-}
-
 /// The nearest of many, of equals the first, and how far the next one is.
 struct Nearest {
   std::size_t index = 0;
@@ -61,6 +28,28 @@ struct Nearest {
   }
 };
 
+bool isOfScale(const core::Keypoint& keypoint, double scale) {
+  const double ratio = static_cast<double>(keypoint.scale) / scale;
+  return ratio < kMaxScaleRatio && ratio > 1.0 / kMaxScaleRatio;
+}
+
+/// The most similar key point near the projection, if it is similar enough and clearly the best.
+std::optional<Nearest> bestCandidate(const ProjectedPoint& point, const core::Features& features,
+                                     const KeypointGrid& grid, double radius_px, const MatcherOptions& options) {
+  Nearest best;
+  grid.forEachNear(point.undistorted_px, radius_px * point.scale, [&](std::size_t index) {
+    if (!isOfScale(features.keypoints[index], point.scale)) return;
+    const auto* descriptor = features.descriptors.ptr(static_cast<int>(index));
+    best.consider(index, cv::hal::normHamming(point.descriptor->data(), descriptor, sizeof(OrbDescriptor)));
+  });
+  if (best.distance > options.max_descriptor_distance) return std::nullopt;
+  const bool isAlone = best.nextDistance == std::numeric_limits<int>::max();
+  if (!isAlone && best.distance > options.max_ratio * best.nextDistance) {
+    return std::nullopt;
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Match> Matcher::searchNear(const std::vector<ProjectedPoint>& points, const core::Features& features,
@@ -72,8 +61,8 @@ std::vector<Match> Matcher::searchNear(const std::vector<ProjectedPoint>& points
   std::vector<Claim> claims(features.size());
   for (const ProjectedPoint& point : points) {
     const auto candidate = bestCandidate(point, features, grid, radius_px, options_);
-    if (candidate && candidate->distance < claims[candidate->keypoint].distance) {
-      claims[candidate->keypoint] = {point.id, candidate->distance};
+    if (candidate && candidate->distance < claims[candidate->index].distance) {
+      claims[candidate->index] = {point.id, candidate->distance};
     }
   }
   std::vector<Match> matches;

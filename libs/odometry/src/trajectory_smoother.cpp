@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "wardslam/core/rotation_vector.h"
+#include "twist.h"
 
 namespace wardslam::odometry {
 namespace {
@@ -125,10 +125,7 @@ std::vector<Motion> likeliestMotions(const Poses& poses, const Range& range, con
 }
 
 Eigen::Isometry3d moved(const Eigen::Isometry3d& T_map_cam, const Motion& motion) {
-  Eigen::Isometry3d T = T_map_cam;
-  T.translation() += T_map_cam.linear() * Eigen::Vector3d(motion[0], motion[1], motion[2]);
-  T.linear() = T_map_cam.linear() * core::rotationBy({motion[3], motion[4], motion[5]});
-  return T;
+  return T_map_cam * after({{motion[0], motion[1], motion[2]}, {motion[3], motion[4], motion[5]}}, 1.0);
 }
 
 /// Poses that nobody told begin on the straight way between those that somebody did.
