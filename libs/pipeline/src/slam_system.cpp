@@ -224,7 +224,7 @@ MapSoFar SlamSystem::mapSoFar() {
   for (const auto& update : takeOverUpdates()) {
     if (mapFeed_) mapFeed_->apply(update);
   }
-  soFar.trajectory = trajectory_.corrected(soFar.T_map_cam);
+  soFar.trajectory = mapper_ ? trajectory() : trajectory_.corrected(soFar.T_map_cam);
   if (mapBuilder_ || !mapBuilding_) {
     soFar.semantic = semanticMap();
   } else {
@@ -235,7 +235,7 @@ MapSoFar SlamSystem::mapSoFar() {
 
 core::Trajectory SlamSystem::trajectory() const {
   const auto map = mapper_->pieces().map();
-  return map ? trajectory_.corrected(posesIn(*mapper_, *map)) : core::Trajectory{};
+  return map ? trajectory_.onOneWay(posesIn(*mapper_, *map)) : core::Trajectory{};
 }
 
 std::map<odometry::KeyframeId, Eigen::Isometry3d> SlamSystem::posesIn(const graph::Mapper& mapper,
@@ -251,7 +251,7 @@ std::map<std::uint32_t, core::Trajectory> SlamSystem::unjoinedTrajectories() con
   std::map<std::uint32_t, core::Trajectory> trajectories;
   for (const auto& [piece, keyframes] : mapper_->pieces().sizes()) {
     if (mapper_->pieces().isMap(piece)) continue;
-    auto trajectory = trajectory_.corrected(posesIn(*mapper_, piece));
+    auto trajectory = trajectory_.onOneWay(posesIn(*mapper_, piece));
     if (!trajectory.empty()) trajectories.emplace(piece, std::move(trajectory));
   }
   return trajectories;

@@ -24,7 +24,8 @@ void TrajectoryRecorder::onUpdate(const odometry::MapUpdate& update) {
   }
 }
 
-core::Trajectory TrajectoryRecorder::corrected(
+/// In order of time.
+std::vector<odometry::EstimatedPose> TrajectoryRecorder::placed(
     const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const {
   std::vector<odometry::EstimatedPose> poses;
   for (const auto& [keyframe, frames] : framesOf_) {
@@ -36,7 +37,21 @@ core::Trajectory TrajectoryRecorder::corrected(
     }
   }
   std::stable_sort(poses.begin(), poses.end(), [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
-  return odometry::smoothed(poses, options_);
+  return poses;
+}
+
+core::Trajectory TrajectoryRecorder::corrected(
+    const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const {
+  core::Trajectory trajectory;
+  for (const auto& pose : placed(T_map_keyframe)) {
+    if (pose.isSeen) trajectory.push_back({pose.stamp_s, pose.T_map_cam});
+  }
+  return trajectory;
+}
+
+core::Trajectory TrajectoryRecorder::onOneWay(
+    const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const {
+  return odometry::smoothed(placed(T_map_keyframe), options_);
 }
 
 }  // namespace wardslam::pipeline

@@ -22,9 +22,13 @@ class TrajectoryRecorder : public FrameObserver {
   /// Frames of keyframes that were removed hang on the heirs from now on.
   void onUpdate(const odometry::MapUpdate& update) override;
 
-  /// One pose per frame tracked by one of these keyframes, by where they are now, on one way (odometry::smoothed), and
-  /// for those not tracked in between. The way leads through the keyframes themselves.
+  /// One pose per frame tracked by one of these keyframes, by where they are now.
   [[nodiscard]] core::Trajectory corrected(
+      const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const;
+
+  /// The same on one way (odometry::smoothed), and for frames not tracked in between. The way leads through the
+  /// keyframes themselves. Takes a tenth of a millisecond a frame: for a run that has ended.
+  [[nodiscard]] core::Trajectory onOneWay(
       const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const;
 
  private:
@@ -36,6 +40,9 @@ class TrajectoryRecorder : public FrameObserver {
     bool isSeen = true;
     bool isKeyframe = false;  ///< Itself: many images say where it is, and the way leads through it.
   };
+
+  [[nodiscard]] std::vector<odometry::EstimatedPose> placed(
+      const std::map<odometry::KeyframeId, Eigen::Isometry3d>& T_map_keyframe) const;
 
   odometry::SmoothingOptions options_;
   std::map<odometry::KeyframeId, std::vector<RelativePose>> framesOf_;
