@@ -4,17 +4,15 @@
 #include <opencv2/features2d.hpp>
 
 #include "even_spread.h"
+#include "orb_corners.h"
 #include "wardslam/core/nearest_pixel.h"
 
 namespace wardslam::features {
 namespace {
 
-constexpr int kPatchSize_px = 31;
-
-cv::Ptr<cv::ORB> makeOrb(const OrbOptions& options) {
-  return cv::ORB::create(options.key_points * options.oversampling, static_cast<float>(options.scale_factor),
-                         options.levels, kPatchSize_px / 2 + 1, 0, 2, cv::ORB::HARRIS_SCORE, kPatchSize_px,
-                         options.fast_threshold);
+cv::Ptr<cv::ORB> makeDescriber(const OrbOptions& options) {
+  return cv::ORB::create(options.key_points, static_cast<float>(options.scale_factor), options.levels,
+                         kOrbPatch_px / 2 + 1, 0, 2, cv::ORB::FAST_SCORE, kOrbPatch_px, options.fast_threshold);
 }
 
 /// Level l of an n-level pyramid gets a share proportional to its side length, as ORB itself does it.
@@ -28,19 +26,29 @@ std::vector<std::size_t> shareOfLevels(const OrbOptions& options) {
   return shares;
 }
 
-std::vector<cv::KeyPoint> chooseEvenly(const std::vector<cv::KeyPoint>& candidates, const OrbOptions& options) {
-  std::vector<std::vector<cv::KeyPoint>> byLevel(static_cast<std::size_t>(options.levels));
-  for (const auto& candidate : candidates) byLevel[static_cast<std::size_t>(candidate.octave)].push_back(candidate);
-
-  const auto shares = shareOfLevels(options);
-  std::vector<cv::KeyPoint> chosen;
-  for (std::size_t level = 0; level < byLevel.size(); ++level) {
-    const double scale = std::pow(options.scale_factor, static_cast<double>(level));
-    const int cell_px = static_cast<int>(std::lround(options.cell_size_px * scale));
-    const auto spread = spreadEvenly(std::move(byLevel[level]), shares[level], cell_px);
-    chosen.insert(chosen.end(), spread.begin(), spread.end());
+/// Corners of one copy of the image, in pixels of the image, evenly spread. Only what is chosen gets a direction.
+std::vector<cv::KeyPoint> chooseEvenly(const cv::Mat& copy, int level, std::size_t share, const OrbOptions& options) {
+  const auto scale = static_cast<float>(std::pow(options.scale_factor, level));
+  const std::size_t candidates = share * static_cast<std::size_t>(options.oversampling);
+  auto chosen = spreadEvenly(strongestCorners(copy, options.fast_threshold, candidates), share, options.cell_size_px);
+  for (cv::KeyPoint& corner : chosen) {
+    corner.angle = centroidAngle_deg(copy, corner.pt);
+    corner.octave = level;
+    corner.size = kOrbPatch_px * scale;
+    corner.pt *= scale;
   }
   return chosen;
+}
+
+std::vector<cv::KeyPoint> findKeypoints(const cv::Mat& gray, const OrbOptions& options) {
+  const auto pyramid = orbPyramid(gray, options.scale_factor, options.levels);
+  const auto shares = shareOfLevels(options);
+  std::vector<cv::KeyPoint> keypoints;
+  for (std::size_t level = 0; level < pyramid.size(); ++level) {
+    const auto chosen = chooseEvenly(pyramid[level], static_cast<int>(level), shares[level], options);
+    keypoints.insert(keypoints.end(), chosen.begin(), chosen.end());
+  }
+  return keypoints;
 }
 
 /// Of the depths measured around a pixel that has one, about its own.
@@ -74,13 +82,10 @@ OrbExtractor::OrbExtractor(const OrbOptions& options) : options_(options) {}
 
 core::Features OrbExtractor::extract(const cv::Mat& gray, const cv::Mat& depth_m,
                                      const core::CameraModel& camera) const {
-  const auto orb = makeOrb(options_);
-  std::vector<cv::KeyPoint> candidates;
-  orb->detect(gray, candidates);
-  auto chosen = chooseEvenly(candidates, options_);
+  auto chosen = findKeypoints(gray, options_);
 
   core::Features features;
-  orb->compute(gray, chosen, features.descriptors);
+  makeDescriber(options_)->compute(gray, chosen, features.descriptors);
 
   std::vector<cv::Point2f> raw_px;
   cv::KeyPoint::convert(chosen, raw_px);
