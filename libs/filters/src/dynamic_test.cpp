@@ -44,15 +44,17 @@ core::Motion DynamicTest::at(cv::Point raw_px) {
   return count > options_.delta ? core::Motion::Dynamic : core::Motion::Static;
 }
 
-cv::Mat DynamicTest::mask() {
+cv::Mat DynamicTest::mask(const cv::Mat& decided) {
   cv::Mat mask(classIds_.size(), CV_8UC1, cv::Scalar(0));
   for (int y = 0; y < mask.rows; ++y) {
     const auto* classes = classIds_.ptr<core::ClassId>(y);
+    const auto* isDecided = decided.empty() ? nullptr : decided.ptr<std::uint8_t>(y);
     auto* row = mask.ptr<std::uint8_t>(y);
     for (int x = 0; x < mask.cols; ++x) {
       const core::ClassId c = classes[x];
       const bool mayBe = moving_[c] || moversOf_[c] != kNobody;
-      if (mayBe && at({x, y}) == core::Motion::Dynamic) row[x] = 255;
+      const bool isAsked = isDecided == nullptr || isDecided[x] == 0;
+      if (mayBe && isAsked && at({x, y}) == core::Motion::Dynamic) row[x] = 255;
     }
   }
   return mask;

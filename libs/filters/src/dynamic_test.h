@@ -43,8 +43,9 @@ class DynamicTest {
   /// Of a raw pixel; outside the image it is that of the nearest pixel inside. Not const: counts on first demand.
   [[nodiscard]] core::Motion at(cv::Point raw_px);
 
-  /// at() of every pixel: CV_8UC1, 255 = dynamic.
-  [[nodiscard]] cv::Mat mask();
+  /// at() of every pixel: CV_8UC1, 255 = dynamic. 0 where `decided` (likewise; empty: nothing is) is not 0: there
+  /// nobody asks.
+  [[nodiscard]] cv::Mat mask(const cv::Mat& decided = {});
 
   /// Marks the dynamic ones; what an earlier filter marked stays marked.
   void mark(std::vector<core::Keypoint>& keypoints);

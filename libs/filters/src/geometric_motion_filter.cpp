@@ -48,12 +48,12 @@ void GeometricMotionFilter::initialize(const core::ConfigNode& parameters, const
 }
 
 void GeometricMotionFilter::begin(const core::Frame& frame) {
-  following_ = std::async(std::launch::async, [this, frame] { motion_->follow(frame); });
+  following_.start([this, frame] { motion_->follow(frame); });
 }
 
 void GeometricMotionFilter::apply(core::Frame& frame) {
-  if (!following_.valid()) begin(frame);
-  following_.get();
+  if (!following_.isStarted()) begin(frame);
+  following_.take();
   motion_->judge(frame, markedPlaces(frame));
   if (motion_->isAtLoss()) ++frame.events["filters.motion_unknown"];
   const cv::Mat explained = explainedMotion(frame);

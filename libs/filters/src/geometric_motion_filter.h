@@ -1,11 +1,11 @@
 #pragma once
 
-#include <future>
 #include <optional>
 #include <string>
 
 #include "wardslam/change/moving_regions.h"
 #include "wardslam/change/scene_motion.h"
+#include "wardslam/core/side_job.h"
 #include "wardslam/filters/observation_filter.h"
 
 namespace wardslam::filters {
@@ -55,7 +55,7 @@ class GeometricMotionFilter : public ObservationFilter {
  private:
   GeometricMotionOptions options_;
   std::optional<change::SceneMotion> motion_;
-  std::future<void> following_;  ///< Uses motion_; must go first.
+  core::SideJob<void> following_;
 };
 
 }  // namespace wardslam::filters

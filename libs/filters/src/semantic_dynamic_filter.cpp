@@ -1,6 +1,7 @@
 #include "semantic_dynamic_filter.h"
 
 #include <algorithm>
+#include <map>
 #include <opencv2/imgproc.hpp>
 
 #include "moved_options.h"
@@ -107,18 +108,19 @@ void SemanticDynamicFilter::apply(core::Frame& frame) {
 }
 
 void SemanticDynamicFilter::end(const core::Frame& frame, const std::optional<Eigen::Isometry3d>& T_map_cam) {
-  if (options_.rule == SemanticDynamicOptions::Rule::Observed) judge_->observe(frame, T_map_cam);
+  if (options_.rule != SemanticDynamicOptions::Rule::Observed) return;
+  learning_.start([this, frame, T_map_cam] { judge_->observe(frame, T_map_cam); });
 }
 
 std::string SemanticDynamicFilter::parameters(int indent) const { return core::writeOptions(options_, indent); }
 
 void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat& movers) {
+  if (learning_.isStarted()) learning_.take();
   const cv::Mat& instanceIds = frame.segmentation.instanceIds;
-  const cv::Mat widened = setTestImage(frame.segmentation.classIds, movers);
+  cv::Mat moves = setTestImage(frame.segmentation.classIds, movers) != 0;
   cv::Mat rests(movers.size(), CV_8UC1, cv::Scalar(0));
-  cv::Mat moves = widened != 0;
-  cv::Mat staticProbability(movers.size(), CV_32FC1, cv::Scalar(1));
-  cv::Mat suspected(movers.size(), CV_8UC1, cv::Scalar(0));
+  cv::Mat suspected = rests.clone();
+  std::map<std::uint16_t, float> staticProbability;  // by instance
   for (const Verdict& verdict : judge_->judge(frame, movers)) {
     const cv::Rect box = boxAround(verdict.instance, options_.margin_px, movers.size());
     if (box.empty()) continue;
@@ -126,18 +128,18 @@ void SemanticDynamicFilter::markByObservation(core::Frame& frame, const cv::Mat&
     if (verdict.finding == Verdict::Finding::Rests) rests(box) |= whole;
     if (verdict.finding == Verdict::Finding::Moves) moves(box) |= widen(whole, options_.margin_px);
     if (verdict.finding == Verdict::Finding::Suspected) suspected(box) |= whole;
-    staticProbability(box).setTo(1.0 - verdict.probabilityOfMotion(), whole);
+    staticProbability[verdict.instance.id] = static_cast<float>(1.0 - verdict.probabilityOfMotion());
   }
   // What is only suspected, and things too small to be an instance, are left to the paper's rule.
-  cv::Mat dynamic = test_->mask();
-  dynamic.setTo(0, rests);
-  dynamic |= moves;
+  const cv::Mat dynamic = moves | test_->mask(rests | moves);
   core::addDynamic(frame, dynamic);
   core::addMayMove(frame, suspected);
   for (core::Keypoint& keypoint : frame.features.keypoints) {
     const cv::Point pixel = core::nearestPixel(keypoint.raw_px, dynamic.size());
     if (dynamic.at<std::uint8_t>(pixel) != 0) keypoint.motion = core::Motion::Dynamic;
-    keypoint.staticProbability = std::min(keypoint.staticProbability, staticProbability.at<float>(pixel));
+    const auto found = staticProbability.find(instanceIds.at<std::uint16_t>(pixel));
+    if (found != staticProbability.end())
+      keypoint.staticProbability = std::min(keypoint.staticProbability, found->second);
   }
 }
 

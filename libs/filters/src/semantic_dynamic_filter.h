@@ -6,6 +6,7 @@
 
 #include "dynamic_test.h"
 #include "movable_judge.h"
+#include "wardslam/core/side_job.h"
 #include "wardslam/filters/observation_filter.h"
 #include "wardslam/knowledge/motion_rules.h"
 #include "wardslam/masks/mask_feed.h"
@@ -78,6 +79,7 @@ class SemanticDynamicFilter : public ObservationFilter {
   cv::Mat movingIds_;    ///< 1×256: the id of each class that moves by itself, 0 of the others.
   cv::Mat classLabels_;  ///< 1×256: bits of PixelLabel for each class.
   bool isBegun_ = false;
+  core::SideJob<void> learning_;  ///< From the last image, until the next is judged.
 };
 
 }  // namespace wardslam::filters

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mask_propagator.h"
+#include "wardslam/core/side_job.h"
 #include "wardslam/masks/async_segmenter.h"
 #include "wardslam/masks/image_motion.h"
 
@@ -45,10 +46,13 @@ class BridgingFeed : public MaskFeed {
   BridgingFeed(const MaskFeedOptions& options, std::shared_ptr<AsyncSegmenter> segmenter)
       : segmenter_(std::move(segmenter)), tracker_(options.tracker) {}
 
-  void begin(const core::Frame& frame) override { segmenter_->submit(segmentation::inputOf(frame)); }
+  void begin(const core::Frame& frame) override {
+    segmenter_->submit(segmentation::inputOf(frame));
+    carrying_.start([this, frame] { return carryLast(frame); });
+  }
 
   void fill(core::Frame& frame) override {
-    const core::Segmentation carried = carryLast(frame);  // while the segmenter works
+    const core::Segmentation carried = carrying_.take();
     const core::Segmentation detected = accept(segmenter_->wait(), frame.color_bgr.size(), frame.events);
     frame.segmentation = tracker_.update(detected, carried, frame.stamp_s);
     last_ = copyOf(frame.segmentation);
@@ -67,6 +71,7 @@ class BridgingFeed : public MaskFeed {
   masks::InstanceTracker tracker_;
   masks::ImageMotion motion_;
   core::Segmentation last_;
+  core::SideJob<core::Segmentation> carrying_;
 };
 
 class PropagatingFeed : public MaskFeed {

@@ -44,7 +44,7 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
                                    const std::optional<odometry::MotionPrior>& motion) {
   core::removeAnnotation(*observation);  // of an earlier run
   core::Frame frame = profiler_.time("sources.build_frame", [&] { return frameBuilder_.build(observation); });
-  filters_.begin(frame);                                                  // segmentation starts in its own thread,
+  profiler_.time("filters.begin", [&] { filters_.begin(frame); });        // segmentation starts in its own thread,
   profiler_.time("features.extract", [&] { features_.extract(frame); });  // key points are found meanwhile,
   profiler_.time("filters.apply", [&] { filters_.apply(frame); });        // and what moves is marked
   if (annotates_) profiler_.time("filters.annotate", [&] { filters::annotateObservation(frame); });
@@ -63,7 +63,8 @@ FrontEnd::Result FrontEnd::process(const std::shared_ptr<mrpt::obs::CObservation
         profiler_.time("mapping.ground", [&] { return groundWatch_.look(odometry.keyframe, frame.depth_m); });
   }
   const auto T_map_cam = odometry.pose();
-  filters_.end(frame, T_map_cam ? std::optional(T_odom_map_ * *T_map_cam) : std::nullopt);
+  const auto T_odom_cam = T_map_cam ? std::optional(T_odom_map_ * *T_map_cam) : std::nullopt;
+  profiler_.time("filters.end", [&] { filters_.end(frame, T_odom_cam); });
   return {std::move(frame), std::move(odometry)};
 }
 
