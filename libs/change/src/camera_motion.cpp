@@ -1,5 +1,6 @@
 #include "camera_motion.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +9,9 @@
 #include <numeric>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
+
+#include "wardslam/core/rigid_transform.h"
+#include "wardslam/core/rotation_vector.h"
 
 namespace wardslam::change {
 namespace {
@@ -170,19 +174,35 @@ std::vector<Eigen::Isometry3d> motionsOfThree(const Matches& matches, const Weig
   return motions;
 }
 
-/// Least squares over the reprojection of the matches named.
-Eigen::Isometry3d refine(const Matches& matches, const std::vector<std::size_t>& inliers, const cv::Matx33d& K,
-                         const Eigen::Isometry3d& T_b_a) {
-  std::vector<cv::Point3d> points_a;
-  std::vector<cv::Point2d> pixels_b;
-  for (const std::size_t i : inliers) appendPoint(matches[i], points_a, pixels_b);
-  const Eigen::AngleAxisd turn(T_b_a.linear());
-  const Eigen::Vector3d axis = turn.angle() * turn.axis();
-  cv::Vec3d rotation(axis.x(), axis.y(), axis.z());
-  cv::Vec3d translation(T_b_a.translation().x(), T_b_a.translation().y(), T_b_a.translation().z());
-  const cv::TermCriteria enough(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 8, 1e-7);
-  cv::solvePnPRefineLM(points_a, pixels_b, K, cv::noArray(), rotation, translation, enough);
-  return toIsometry(rotation, translation);
+/// Least squares over the reprojection of the matches named (Gauss and Newton: they agree already).
+Eigen::Isometry3d refine(const Matches& matches, const std::vector<std::size_t>& inliers,
+                         const core::CameraModel& camera, const Eigen::Isometry3d& T_b_a) {
+  constexpr int kMostRounds = 8;
+  constexpr double kStill = 1e-7;  // m, and rad
+  Eigen::Isometry3d T = T_b_a;
+  for (int round = 0; round < kMostRounds; ++round) {
+    Eigen::Matrix<double, 6, 6> H = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
+    for (const std::size_t i : inliers) {
+      const Eigen::Vector3d p_b = T * matches[i].p_a_m;
+      Eigen::Matrix<double, 2, 3> ofPoint;
+      ofPoint << camera.fx_px, 0.0, -camera.fx_px * p_b.x() / p_b.z(),  //
+          0.0, camera.fy_px, -camera.fy_px * p_b.y() / p_b.z();
+      Eigen::Matrix<double, 2, 6> J;
+      J << ofPoint, -ofPoint * core::crossProductWith(p_b);
+      J /= p_b.z();
+      H.noalias() += J.transpose() * J;
+      gradient.noalias() += J.transpose() * (camera.project(p_b) - matches[i].b_px);
+    }
+    const Eigen::Matrix<double, 6, 1> step = -H.ldlt().solve(gradient);
+    if (!step.allFinite()) return T_b_a;
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+    motion.linear() = core::rotationBy(step.tail<3>());
+    motion.translation() = step.head<3>();
+    T = core::rigid(motion * T);
+    if (step.cwiseAbs().maxCoeff() < kStill) break;
+  }
+  return T;
 }
 
 /// So many draws find three static matches among so many with a probability of 99.9 %.
@@ -206,7 +226,7 @@ Eigen::Isometry3d search(const Matches& matches, const core::CameraModel& camera
   };
   const auto polish = [&] {
     const auto inliers = consensus.inliers(T_b_a);
-    if (inliers.size() >= kMinMatches) consider(refine(matches, inliers, K, T_b_a));
+    if (inliers.size() >= kMinMatches) consider(refine(matches, inliers, camera, T_b_a));
   };
 
   for (const Eigen::Isometry3d& guess : guesses) consider(guess);

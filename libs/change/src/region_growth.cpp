@@ -1,5 +1,6 @@
 #include "region_growth.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -35,30 +36,43 @@ class Growth {
   }
 
   cv::Mat grow() {
-    constexpr std::array<std::array<int, 2>, 8> kAround = {
-        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+    constexpr double kDiagonal = 1.4142135623730951;
+    constexpr std::array<Step, 8> kAround = {{{1, 0, 1.0},
+                                              {-1, 0, 1.0},
+                                              {0, 1, 1.0},
+                                              {0, -1, 1.0},
+                                              {1, 1, kDiagonal},
+                                              {1, -1, kDiagonal},
+                                              {-1, 1, kDiagonal},
+                                              {-1, -1, kDiagonal}}};
     while (!open_.empty()) {
       const Walk walk = open_.top();
       open_.pop();
       if (walk.length_m > length_m_.at<double>(walk.cell)) continue;  // a shorter one was here
-      for (const auto& [dx, dy] : kAround) {
-        if (const auto next = step(walk, dx, dy)) reach(*next);
+      for (const Step& around : kAround) {
+        if (const auto next = step(walk, around)) reach(*next);
       }
     }
     return moves_;
   }
 
  private:
-  [[nodiscard]] std::optional<Walk> step(const Walk& from, int dx, int dy) const {
-    const cv::Point cell = from.cell + cv::Point(dx, dy);
+  struct Step {
+    int dx;
+    int dy;
+    double cells;  ///< How far that is.
+  };
+
+  [[nodiscard]] std::optional<Walk> step(const Walk& from, const Step& around) const {
+    const cv::Point cell = from.cell + cv::Point(around.dx, around.dy);
     if (!cv::Rect({}, depth_m_.size()).contains(cell)) return std::nullopt;
     const double width_m = cellWidth_ * from.depth_m;
-    const double side_m = width_m * std::hypot(dx, dy);
+    const double side_m = width_m * around.cells;
     const auto depth = static_cast<double>(depth_m_.at<float>(cell));
     if (depth <= 0) return within({from.length_m + 2 * side_m, cell, from.depth_m, from.moves});
     const double jump_m = std::abs(depth - from.depth_m);
     if (jump_m > 0.05 + 2 * width_m) return std::nullopt;
-    return within({from.length_m + std::hypot(side_m, jump_m), cell, depth, from.moves});
+    return within({from.length_m + std::sqrt(side_m * side_m + jump_m * jump_m), cell, depth, from.moves});
   }
 
   [[nodiscard]] std::optional<Walk> within(const Walk& walk) const {
@@ -84,6 +98,8 @@ class Growth {
 }  // namespace
 
 cv::Mat growRegions(const cv::Mat& depth_m, double cellWidth, const std::vector<Seed>& seeds, double reach_m) {
+  const bool anyMoves = std::any_of(seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.moves; });
+  if (!anyMoves) return cv::Mat::zeros(depth_m.size(), CV_8UC1);
   Growth growth(depth_m, cellWidth, reach_m);
   for (const Seed& seed : seeds) growth.plant(seed);
   return growth.grow();

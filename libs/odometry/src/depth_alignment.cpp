@@ -108,15 +108,23 @@ struct NormalEquations {
 
   explicit NormalEquations(const std::vector<Pair>& pairs) {
     for (const Pair& pair : pairs) depth_m += pair.p_now_m.z() / static_cast<double>(pairs.size());
+    double weights = 0.0;
+    Eigen::Vector3d middle_m = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d spread_m2 = Eigen::Matrix3d::Zero();
     for (const Pair& pair : pairs) {
       Vector6 J;
       J << pair.normal_now, pair.p_now_m.cross(pair.normal_now) / depth_m;
       H += pair.weight_per_m2 * J * J.transpose();
       gradient += pair.weight_per_m2 * pair.off_m * J;
-      Eigen::Matrix<double, 3, 6> moved;  // how the point moves
-      moved << Eigen::Matrix3d::Identity(), -core::crossProductWith(pair.p_now_m) / depth_m;
-      noise += pair.weight_per_m2 * pair.normalVariance_rad2 * moved.transpose() * moved;
+      const double weight = pair.weight_per_m2 * pair.normalVariance_rad2;
+      weights += weight;
+      middle_m += weight * pair.p_now_m;
+      spread_m2 += weight * pair.p_now_m * pair.p_now_m.transpose();
     }
+    // Sum of transpose(M) * M, where M = (1, -cross product with the point) is how the point moves.
+    const Eigen::Matrix3d cross = core::crossProductWith(middle_m) / depth_m;
+    noise << weights * Eigen::Matrix3d::Identity(), -cross, cross,
+        (spread_m2.trace() * Eigen::Matrix3d::Identity() - spread_m2) / (depth_m * depth_m);
   }
 };
 
