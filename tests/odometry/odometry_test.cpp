@@ -94,6 +94,30 @@ TEST_F(OdometryTest, KeyframesComeWhenThereIsSomethingNew) {
   EXPECT_EQ(keyframesOfAStillCamera, 1);
 }
 
+/// What a keyframe adds to the drift stays, until a place is seen again.
+TEST_F(OdometryTest, TheDriftOfTheMapGrowsFromKeyframeToKeyframe) {
+  const auto place_m2 = [](const OdometryResult& result) { return result.drift.diagonal().head(3).sum(); };
+  std::vector<double> drifts_m2;
+  for (int image = 0; image < kImages; ++image) {
+    const auto result = trackImage(image);
+    ASSERT_TRUE(result.covariance) << image;
+    EXPECT_EQ(*result.covarianceInPiece(), PoseCovariance(*result.covariance + result.drift));
+    if (result.keyframe) drifts_m2.push_back(place_m2(result));
+  }
+  ASSERT_GE(drifts_m2.size(), 3U);
+  EXPECT_EQ(drifts_m2.front(), 0.0);
+  for (std::size_t i = 1; i < drifts_m2.size(); ++i) EXPECT_GT(drifts_m2[i], drifts_m2[i - 1]) << i;
+
+  MapUpdate loop;
+  loop.newestKeyframe = drifts_m2.size();
+  loop.movesTheMap = true;
+  loop.seenAgain = {1, drifts_m2.size(), truth(kImages - 1)};
+  odometry_.apply(std::make_shared<const MapUpdate>(loop));
+  const double after_m2 = place_m2(trackImage(kImages - 1));
+  EXPECT_LT(after_m2, 0.5 * drifts_m2.back());
+  EXPECT_GT(after_m2, 0.0) << "the newest keyframe errs as before";
+}
+
 TEST_F(OdometryTest, IsLostWhenFeaturesVanishAndRecoversWhenTheyReturn) {
   for (int image = 0; image < 20; ++image) trackImage(image);
   for (int i = 0; i < 3; ++i) {

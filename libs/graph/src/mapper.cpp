@@ -277,6 +277,7 @@ bool Mapper::close(const std::vector<Loop>& loops, const std::atomic<bool>* stop
   if (closing->joined) joins_.push_back(*closing->joined);
   update.movesTheMap = true;
   update.joined = closing->joined;
+  update.seenAgain = {loops.front().older, loops.front().newer, loops.front().T_older_newer};
   update.fusedPoints = std::move(closing->fusedPoints);
   update.removedPoints.insert(update.removedPoints.end(), closing->removedPoints.begin(), closing->removedPoints.end());
   update.p_map_m.clear();  // with them the points fused away

@@ -21,6 +21,18 @@ bool isNeededBesideSurfaces(const OdometryOptions& options, std::size_t newPoint
 
 }  // namespace
 
+std::vector<std::size_t> newPoints(const OdometryOptions& options, const TrackedImage& view, const Tracking& tracking) {
+  std::vector<bool> isTaken(view.features.size(), false);
+  for (const Match& match : tracking.inliers) isTaken[match.keypoint] = true;
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < view.features.size(); ++i) {
+    const core::Keypoint& keypoint = view.features.keypoints[i];
+    const bool isNear = keypoint.hasDepth() && static_cast<double>(keypoint.depth_m) <= options.local_map.max_depth_m;
+    if (isNear && !isTaken[i]) found.push_back(i);
+  }
+  return found;
+}
+
 bool needsKeyframe(const OdometryOptions& options, const Tracking& tracking, std::size_t newPoints,
                    const SinceKeyframe& since) {
   const KeyframeOptions& keyframes = options.keyframes;

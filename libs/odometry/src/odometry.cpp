@@ -7,6 +7,7 @@
 #include "constant_velocity.h"
 #include "depth_anchor.h"
 #include "keyframe_need.h"
+#include "map_drift.h"
 #include "pose_tracker.h"
 #include "rolling_shutter.h"
 #include "seen_points.h"
@@ -49,7 +50,8 @@ class Odometry::Tracker {
         poseTracker_(options_),
         anchor_(options_.depth_alignment),
         shutter_(options_.rolling_shutter),
-        pieces_(earlier.map) {
+        pieces_(earlier.map),
+        drift_(earlier.lastKeyframe) {
     lastKeyframe_.id = earlier.lastKeyframe;
     submap_ = earlier.submap;
   }
@@ -114,10 +116,9 @@ class Odometry::Tracker {
   Eigen::Isometry3d correctionOfYounger(const MapUpdate& update);
   void moveWhatIsYounger(const Eigen::Isometry3d& correction);
   void updateMap(const TrackedImage& view, const Tracking& tracking);
-  [[nodiscard]] std::vector<std::size_t> newPointCandidates(const TrackedImage& view, const Tracking& tracking) const;
   [[nodiscard]] SinceKeyframe sinceKeyframe(const TrackedImage& view) const;
   std::shared_ptr<const Keyframe> insertKeyframe(const TrackedImage& view, const Tracking& tracking,
-                                                 const std::vector<std::size_t>& newPoints);
+                                                 const std::vector<std::size_t>& fresh);
   [[nodiscard]] OdometryResult result(const Tracking& tracking, std::shared_ptr<const Keyframe> keyframe) const;
 
   const OdometryOptions options_;
@@ -142,6 +143,7 @@ class Odometry::Tracker {
   std::deque<AwaitedKeyframe> awaited_;  ///< Of this submap, oldest first.
   std::uint32_t submap_ = 0;
   Pieces pieces_;
+  MapDrift drift_;
   int framesLost_ = 0;
 };
 
@@ -163,8 +165,8 @@ void Odometry::Tracker::predict(const std::optional<MotionPrior>& motion) {
 }
 
 OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Placement& placeAnew) {
-  const auto newPoints = newPointCandidates(view, {});
-  const bool showsPoints = static_cast<int>(newPoints.size()) >= options_.min_initial_points;
+  const auto fresh = newPoints(options_, view, {});
+  const bool showsPoints = static_cast<int>(fresh.size()) >= options_.min_initial_points;
   if (!showsPoints && !anchor_.wouldHold()) return {};
   if (view.prior) T_cam_map_ = view.prior->T_cam_map;
   if (hasStarted_ && placeAnew) T_cam_map_ = placeAnew(T_cam_map_.inverse()).inverse();
@@ -176,7 +178,7 @@ OdometryResult Odometry::Tracker::initialise(const TrackedImage& view, const Pla
   covariance_ = PoseCovariance::Zero();  // of a piece of its own, which begins here
   isHeld_ = false;
   anchor_.remember(T_cam_map_.inverse(), covariance_);
-  OdometryResult begun = result({}, insertKeyframe(view, {}, newPoints));
+  OdometryResult begun = result({}, insertKeyframe(view, {}, fresh));
   begun.covariance = covariance_;
   return begun;
 }
@@ -272,9 +274,9 @@ OdometryResult Odometry::Tracker::accept(const TrackedImage& view, const Trackin
   updateMap(view, tracking);
 
   lastKeyframe_.mostTracked = std::max(lastKeyframe_.mostTracked, tracking.inliers.size());
-  const auto newPoints = newPointCandidates(view, tracking);
-  const bool isKeyframe = needsKeyframe(options_, tracking, newPoints.size(), sinceKeyframe(view));
-  OdometryResult accepted = result(tracking, isKeyframe ? insertKeyframe(view, tracking, newPoints) : nullptr);
+  const auto fresh = newPoints(options_, view, tracking);
+  const bool isKeyframe = needsKeyframe(options_, tracking, fresh.size(), sinceKeyframe(view));
+  OdometryResult accepted = result(tracking, isKeyframe ? insertKeyframe(view, tracking, fresh) : nullptr);
   accepted.covariance = covariance_;
   return accepted;
 }
@@ -317,26 +319,13 @@ void Odometry::Tracker::updateMap(const TrackedImage& view, const Tracking& trac
   }
 }
 
-std::vector<std::size_t> Odometry::Tracker::newPointCandidates(const TrackedImage& view,
-                                                               const Tracking& tracking) const {
-  std::vector<bool> isTaken(view.features.size(), false);
-  for (const Match& match : tracking.inliers) isTaken[match.keypoint] = true;
-  std::vector<std::size_t> candidates;
-  for (std::size_t i = 0; i < view.features.size(); ++i) {
-    const core::Keypoint& keypoint = view.features.keypoints[i];
-    const bool isNear = keypoint.hasDepth() && static_cast<double>(keypoint.depth_m) <= options_.local_map.max_depth_m;
-    if (isNear && !isTaken[i]) candidates.push_back(i);
-  }
-  return candidates;
-}
-
 SinceKeyframe Odometry::Tracker::sinceKeyframe(const TrackedImage& view) const {
   return {view.frame - lastKeyframe_.frame, lastKeyframe_.mostTracked,
           lastKeyframe_.T_map_cam.inverse() * T_cam_map_.inverse()};
 }
 
 std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedImage& view, const Tracking& tracking,
-                                                                  const std::vector<std::size_t>& newPoints) {
+                                                                  const std::vector<std::size_t>& fresh) {
   const Eigen::Isometry3d T_map_cam = T_cam_map_.inverse();
   const bool isFirst = map_.points().empty();
   auto keyframe = std::make_shared<Keyframe>();
@@ -346,7 +335,7 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedI
     map_.describe(match.point, semanticDescriptorOf(view.features, keypoint));
     keyframe->sightings.push_back({match.point, match.keypoint});
   }
-  for (const std::size_t i : newPoints) {
+  for (const std::size_t i : fresh) {
     MapPoint point = makeMapPoint(view.features.keypoints[i], descriptorOf(view.features, i), view.camera, T_map_cam);
     point.lastSeenFrame = view.frame;
     point.semanticDescriptor = semanticDescriptorOf(view.features, view.features.keypoints[i]);
@@ -364,6 +353,7 @@ std::shared_ptr<const Keyframe> Odometry::Tracker::insertKeyframe(const TrackedI
   keyframe->features.semanticDescriptors.reset();  // it may hold on to whole images
   if (!view.depth.depth_m.empty()) keyframe->depth = std::make_shared<DepthView>(makeDepthView(view.depth));
   pieces_.add(keyframe->id, submap_);
+  isFirst ? drift_.begin(keyframe->id) : drift_.add(keyframe->id, *keyframe->T_previous_cam, covariance_);
   map_.addKeyframe(keyframe->id, pointsOf(*keyframe));
   map_.cull();
   lastKeyframe_ = {keyframe->id, view.frame, T_map_cam, 0};
@@ -378,6 +368,7 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
   result.T_map_cam = T_cam_map_.inverse();
   result.referenceKeyframe = lastKeyframe_.id;
   result.T_keyframe_cam = lastKeyframe_.T_map_cam.inverse() * result.T_map_cam;
+  result.drift = drift_.at(result.T_keyframe_cam);
   result.matches = tracking.matches;
   result.inliers = static_cast<int>(tracking.inliers.size());
   result.isHeldByDepth = tracking.isHeldByDepth;
@@ -389,7 +380,9 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
 }
 
 Eigen::Isometry3d Odometry::Tracker::apply(const std::shared_ptr<const MapUpdate>& update) {
+  const bool isMoved = update->joined && update->joined->from == pieces_.pieceOf(submap_);
   pieces_.apply(*update);
+  if (update->submap == submap_ && update->seenAgain) drift_.seeAgain(*update->seenAgain, isMoved);
   if (update->submap != submap_) return Eigen::Isometry3d::Identity();
   const Eigen::Isometry3d correction = correctionOfYounger(*update);
   map_.apply(update, frame_, correction.linear());

@@ -25,6 +25,13 @@ struct RemovedKeyframe {
   Eigen::Isometry3d T_heir_cam = Eigen::Isometry3d::Identity();  ///< Of the removed, seen from the heir.
 };
 
+/// A loop: where a place was seen again, and from where.
+struct PlaceSeenAgain {
+  KeyframeId older = 0;
+  KeyframeId newer = 0;
+  Eigen::Isometry3d T_older_newer = Eigen::Isometry3d::Identity();
+};
+
 /// Better knowledge of what tracking rests on, as of one keyframe. Of what was known then, what is not named stays as
 /// it is. Keyframes that are younger are placed by their poses from one to the next and move as that keyframe does
 /// (correctionOf).
@@ -43,6 +50,7 @@ struct MapUpdate {
   std::map<KeyframeId, std::vector<PointId>> recalledKeyframes;
 
   std::optional<SubmapJoin> joined;
+  std::optional<PlaceSeenAgain> seenAgain;  ///< What moves the map.
 
   [[nodiscard]] bool empty() const {
     return T_map_cam.empty() && p_map_m.empty() && removedKeyframes.empty() && removedPoints.empty() &&

@@ -28,9 +28,13 @@ struct OdometryResult {
   /// Meaningful when state is Ok. When it is Lost: where motion priors since then lead; without, for a second, where
   /// the camera is if it goes on as it went, and then where it was last.
   Eigen::Isometry3d T_map_cam = Eigen::Isometry3d::Identity();
-  /// How sure that is (MotionPrior::covariance, in the camera frame) within the local map, taken for exact: what the
-  /// map itself has drifted is not in it. Nothing where nobody knows: lost for a while without motion priors.
+  /// How sure that is (MotionPrior::covariance, in the camera frame) within the local map, taken for exact. Nothing
+  /// where nobody knows: lost for a while without motion priors.
   std::optional<PoseCovariance> covariance;
+  /// How far the map around the camera may have drifted since its piece began, likewise. Both together,
+  /// covarianceInPiece(), tell how sure T_map_cam is as a place in the frame of the whole piece: the drift is what
+  /// matters to who compares places far apart, and is nothing to who stays where he is.
+  PoseCovariance drift = PoseCovariance::Zero();
   KeyframeId referenceKeyframe = 0;  ///< The newest keyframe; corrections of its pose move this one along.
   Eigen::Isometry3d T_keyframe_cam = Eigen::Isometry3d::Identity();
   int matches = 0;                           ///< Map points found in the image.
@@ -46,6 +50,9 @@ struct OdometryResult {
   bool isInMap = true;
 
   [[nodiscard]] bool hasPose() const { return state == State::Ok; }
+  [[nodiscard]] std::optional<PoseCovariance> covarianceInPiece() const {
+    return covariance ? std::optional<PoseCovariance>(*covariance + drift) : std::nullopt;
+  }
   [[nodiscard]] std::optional<Eigen::Isometry3d> pose() const {
     return hasPose() ? std::optional(T_map_cam) : std::nullopt;
   }
