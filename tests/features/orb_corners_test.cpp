@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace wardslam::features {
@@ -58,6 +59,23 @@ TEST(StrongestCorners, TheWeakerGoFirst) {
   EXPECT_EQ(strongest.size(), most);
   EXPECT_TRUE(std::none_of(strongest.begin(), strongest.end(), isFaint));
   EXPECT_TRUE(strongestCorners(image, 10, 0).empty());
+}
+
+/// OpenCV's ORB works the same measure out on its own.
+TEST(StrongestCorners, TheirResponseIsHarris) {
+  const cv::Mat image = squares({320, 240}, 12);
+  std::vector<cv::KeyPoint> expected;
+  cv::ORB::create(1000, 1.2F, 1, 16, 0, 2, cv::ORB::HARRIS_SCORE, kOrbPatch_px, 10)->detect(image, expected);
+  const auto corners = strongestCorners(image, 10, 1000);
+  std::size_t compared = 0;
+  for (const auto& corner : corners) {
+    const auto same = std::find_if(expected.begin(), expected.end(), [&](const auto& e) { return e.pt == corner.pt; });
+    if (same == expected.end()) continue;
+    EXPECT_NEAR(corner.response, same->response, 1e-4F * std::abs(same->response)) << corner.pt;
+    ++compared;
+  }
+  EXPECT_GT(compared, corners.size() / 2);
+  EXPECT_GT(compared, 20U);
 }
 
 TEST(CentroidAngle, PointsToWhereItIsBright) {

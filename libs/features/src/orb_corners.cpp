@@ -21,6 +21,33 @@ std::array<int, kRadius_px + 1> halfWidths() {
   return widths;
 }
 
+/// Harris and Stephens' measure of a corner, over 7 x 7 pixels with Sobel's derivatives, in units of the squared
+/// squared slope of the grey values.
+float harrisResponse(const cv::Mat& level, const cv::Point& centre) {
+  constexpr int kReach_px = 3;
+  constexpr double kEdges = 0.04;  // how much of one slope alone is held against it
+  constexpr double kPerUnit = 1.0 / (4.0 * 7.0 * 255.0);
+  int xx = 0;
+  int yy = 0;
+  int xy = 0;
+  for (int y = centre.y - kReach_px; y <= centre.y + kReach_px; ++y) {
+    const auto* above = level.ptr<std::uint8_t>(y - 1);
+    const auto* here = level.ptr<std::uint8_t>(y);
+    const auto* below = level.ptr<std::uint8_t>(y + 1);
+    for (int x = centre.x - kReach_px; x <= centre.x + kReach_px; ++x) {
+      const int dx = above[x + 1] - above[x - 1] + 2 * (here[x + 1] - here[x - 1]) + below[x + 1] - below[x - 1];
+      const int dy = below[x - 1] - above[x - 1] + 2 * (below[x] - above[x]) + below[x + 1] - above[x + 1];
+      xx += dx * dx;
+      yy += dy * dy;
+      xy += dx * dy;
+    }
+  }
+  const double a = xx * kPerUnit * kPerUnit;
+  const double b = yy * kPerUnit * kPerUnit;
+  const double c = xy * kPerUnit * kPerUnit;
+  return static_cast<float>(a * b - c * c - kEdges * (a + b) * (a + b));
+}
+
 }  // namespace
 
 std::vector<cv::Mat> orbPyramid(const cv::Mat& gray, double scaleFactor, int levels) {
@@ -37,9 +64,12 @@ std::vector<cv::Mat> orbPyramid(const cv::Mat& gray, double scaleFactor, int lev
 }
 
 std::vector<cv::KeyPoint> strongestCorners(const cv::Mat& level, int fastThreshold, std::size_t most) {
+  constexpr int kLooked = 2;  // at so many times as many: FAST tells where corners are, but not so well how good
   std::vector<cv::KeyPoint> corners;
   cv::FAST(level, corners, fastThreshold, /*nonmaxSuppression=*/true);
   cv::KeyPointsFilter::runByImageBorder(corners, level.size(), kBorder_px);
+  cv::KeyPointsFilter::retainBest(corners, kLooked * static_cast<int>(most));
+  for (cv::KeyPoint& corner : corners) corner.response = harrisResponse(level, corner.pt);
   cv::KeyPointsFilter::retainBest(corners, static_cast<int>(most));
   return corners;
 }

@@ -28,14 +28,15 @@ std::vector<std::size_t> shareOfLevels(const OrbOptions& options) {
 
 /// Corners of one copy of the image, in pixels of the image, evenly spread. Only what is chosen gets a direction.
 std::vector<cv::KeyPoint> chooseEvenly(const cv::Mat& copy, int level, std::size_t share, const OrbOptions& options) {
-  const auto scale = static_cast<float>(std::pow(options.scale_factor, level));
+  const double scale = std::pow(options.scale_factor, level);
   const std::size_t candidates = share * static_cast<std::size_t>(options.oversampling);
-  auto chosen = spreadEvenly(strongestCorners(copy, options.fast_threshold, candidates), share, options.cell_size_px);
+  auto corners = strongestCorners(copy, options.fast_threshold, candidates);
+  for (cv::KeyPoint& corner : corners) corner.pt *= static_cast<float>(scale);
+  auto chosen = spreadEvenly(std::move(corners), share, static_cast<int>(std::lround(options.cell_size_px * scale)));
   for (cv::KeyPoint& corner : chosen) {
-    corner.angle = centroidAngle_deg(copy, corner.pt);
+    corner.angle = centroidAngle_deg(copy, corner.pt / static_cast<float>(scale));
     corner.octave = level;
-    corner.size = kOrbPatch_px * scale;
-    corner.pt *= scale;
+    corner.size = kOrbPatch_px * static_cast<float>(scale);
   }
   return chosen;
 }
