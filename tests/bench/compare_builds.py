@@ -98,6 +98,11 @@ def measured(build, judge, sequence, out, frames):
             "coverage": fast["coverage"]}
 
 
+def leave_out_of(file, key):
+    lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
+    file.write_text("".join(line for line in lines if not line.startswith(key + ":")), encoding="utf-8")
+
+
 def sequences_of(data, out, build, only):
     hospital = out / "hospital"
     labels = out / "hospital_labels/masks"
@@ -107,6 +112,7 @@ def sequences_of(data, out, build, only):
     if any(sequence.name == "hospital" for sequence in chosen) and not labels.exists():
         subprocess.run(build.command("rawlog-synth", [*HOSPITAL, "-o", hospital]), env=build.environment, check=True,
                        stdout=subprocess.DEVNULL)
+        leave_out_of(hospital / "camera.yaml", "readout")  # older builds do not know it
     for sequence in chosen:
         if not (sequence.folder / "groundtruth.txt").exists():
             sys.exit(f"{sequence.folder}: no recording with groundtruth.txt is there")
