@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
+#include "tracked_recording.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/core/rotation_vector.h"
-#include "wardslam/exchange/tum_trajectory.h"
-#include "wardslam/pipeline/slam_system.h"
 #include "wardslam/sources/observation_source.h"
 
 /// measure_certainty RECORDING GROUNDTRUTH [CONFIG]: is a pose as unsure as it says? Of the way between two images,
@@ -23,7 +21,6 @@ namespace wardslam {
 namespace {
 
 constexpr std::array kApart_s = {0.5, 1.0, 2.0, 5.0, 10.0};
-constexpr double kSameImage_s = 0.02;
 constexpr double kLow = 1.237;
 constexpr double kHigh = 14.449;
 
@@ -62,29 +59,23 @@ void add(const Pose& before, const Pose& now, Nees& nees) {
   error << off.translation(), core::rotationVectorOf(off.linear());
   const odometry::PoseCovariance ofBefore = odometry::transformed(before.covariance - before.drift, step);
   const odometry::PoseCovariance covariance = ofBefore + now.covariance + now.drift;
-  if (Eigen::LLT<odometry::PoseCovariance>(covariance).info() != Eigen::Success) return;  // a loop made it surer since
+  if (Eigen::LLT<odometry::PoseCovariance>(covariance).info() != Eigen::Success)
+    return;  // what was known of the way to the keyframe changed in between
   nees.all.push_back(error.dot(covariance.inverse() * error));
   nees.translation.push_back(error.head<3>().dot(covariance.topLeftCorner<3, 3>().inverse() * error.head<3>()));
   nees.rotation.push_back(error.tail<3>().dot(covariance.bottomRightCorner<3, 3>().inverse() * error.tail<3>()));
 }
 
-std::vector<Pose> track(const std::string& recording, const core::Trajectory& truth, const std::string& config) {
-  pipeline::SlamOptions options = config.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(config);
-  options.deterministic = true;
-  options.mapping.enabled = false;
-  options.annotate = false;
-  options.filters = pipeline::SlamOptions::noFilters();
-  pipeline::SlamSystem slam(options);
+std::vector<Pose> track(const std::string& recording, const bench::Truth& truth, const std::string& config) {
+  pipeline::SlamSystem slam(bench::trackingAlone(config));
   const auto source = sources::openSource(recording, {});
   std::vector<Pose> poses;
   while (const auto observation = source->next()) {
     const auto result = slam.process(observation);
     const double stamp_s = core::fromMrptTime(observation->timestamp);
-    const auto there = std::find_if(truth.begin(), truth.end(), [&](const core::StampedPose& pose) {
-      return std::abs(pose.stamp_s - stamp_s) < kSameImage_s;
-    });
-    if (!result.hasPose() || !result.covariance || there == truth.end()) continue;
-    poses.push_back({stamp_s, result.T_map_cam, there->T_map_cam, *result.covariance, result.drift});
+    const Eigen::Isometry3d* T_world_cam = truth.at(stamp_s);
+    if (!result.hasPose() || !result.covariance || T_world_cam == nullptr) continue;
+    poses.push_back({stamp_s, result.T_map_cam, *T_world_cam, *result.covariance, result.drift});
   }
   return poses;
 }
@@ -101,13 +92,14 @@ void tell(const std::string& what, const Nees& nees) {
 }
 
 void run(const std::string& recording, const std::string& truthFile, const std::string& config) {
-  const std::vector<Pose> poses = track(recording, exchange::readTumTrajectory(truthFile), config);
+  const std::vector<Pose> poses = track(recording, bench::Truth(truthFile), config);
   std::printf("%s: %zu poses\n", recording.c_str(), poses.size());
   for (const double apart_s : kApart_s) {
     Nees nees;
     std::size_t before = 0;
     for (const Pose& now : poses) {
-      while (before + 1 < poses.size() && poses[before + 1].stamp_s <= now.stamp_s - apart_s + kSameImage_s) ++before;
+      while (before + 1 < poses.size() && poses[before + 1].stamp_s <= now.stamp_s - apart_s + bench::kSameImage_s)
+        ++before;
       const double gap_s = now.stamp_s - poses[before].stamp_s;
       if (std::abs(gap_s - apart_s) < 0.5 * apart_s) add(poses[before], now, nees);
     }
@@ -122,15 +114,5 @@ void run(const std::string& recording, const std::string& truthFile, const std::
 }  // namespace wardslam
 
 int main(int count, char** arguments) {
-  if (count < 3) {
-    std::fprintf(stderr, "measure_certainty RECORDING GROUNDTRUTH [CONFIG]\n");
-    return 2;
-  }
-  try {
-    wardslam::run(arguments[1], arguments[2], count > 3 ? arguments[3] : "");
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "measure_certainty: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return wardslam::bench::measure("measure_certainty", count, arguments, wardslam::run);
 }

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
+#include "tracked_recording.h"
 #include "wardslam/core/errors.h"
 #include "wardslam/core/mrpt_compat.h"
 #include "wardslam/exchange/tum_trajectory.h"
-#include "wardslam/pipeline/slam_system.h"
 #include "wardslam/sources/observation_source.h"
 
 /// measure_loops RECORDING GROUNDTRUTH [CONFIG]: runs over a recording and compares the loops that were closed, and the
@@ -23,24 +22,8 @@ constexpr double kRevisit_rad = 0.5;  // ... and looking the same way ...
 constexpr double kAwayFor_s = 30.0;   // ... after so long
 constexpr double kOneVisit_s = 10.0;  // keyframes so near in time are of one visit
 constexpr double kRight_m = 0.3;      // a visit is tied to the earlier one: the map has them within this of the truth
-constexpr double kSameImage_s = 0.02;
 
 using Keyframes = std::map<odometry::KeyframeId, graph::KeyframeNode>;
-
-class Truth {
- public:
-  explicit Truth(const std::string& file) : trajectory_(exchange::readTumTrajectory(file)) {}
-
-  [[nodiscard]] const Eigen::Isometry3d* at(double stamp_s) const {
-    const auto isBefore = [](const core::StampedPose& pose, double t) { return pose.stamp_s < t; };
-    const auto next = std::lower_bound(trajectory_.begin(), trajectory_.end(), stamp_s - kSameImage_s, isBefore);
-    const bool isThere = next != trajectory_.end() && next->stamp_s < stamp_s + kSameImage_s;
-    return isThere ? &next->T_map_cam : nullptr;
-  }
-
- private:
-  core::Trajectory trajectory_;
-};
 
 /// A place that was come back to, by the keyframes that say so.
 struct Visit {
@@ -94,7 +77,7 @@ struct Relocalisations {
 };
 
 /// Stretches of tracking, by their submaps, that meet an earlier one: are they one piece, and do they lie rightly?
-void compareMeetings(const Keyframes& keyframes, const Truth& truth, Counts& counts) {
+void compareMeetings(const Keyframes& keyframes, const bench::Truth& truth, Counts& counts) {
   std::map<std::uint32_t, Visit> meetings;
   for (const auto& [id, node] : keyframes) {
     const auto* here = truth.at(node.keyframe->stamp_s);
@@ -125,7 +108,7 @@ void compareMeetings(const Keyframes& keyframes, const Truth& truth, Counts& cou
 }
 
 /// What a keyframe says of the places that it comes back to; nothing: it is where nothing was for long.
-std::optional<Visit> revisitOf(const Keyframes& keyframes, const Truth& truth, const graph::KeyframeNode& node) {
+std::optional<Visit> revisitOf(const Keyframes& keyframes, const bench::Truth& truth, const graph::KeyframeNode& node) {
   const auto* here = truth.at(node.keyframe->stamp_s);
   if (here == nullptr) return std::nullopt;
   std::optional<Visit> visit;
@@ -146,7 +129,7 @@ std::optional<Visit> revisitOf(const Keyframes& keyframes, const Truth& truth, c
   return visit;
 }
 
-void compareVisits(const Keyframes& keyframes, const Truth& truth, Counts& counts) {
+void compareVisits(const Keyframes& keyframes, const bench::Truth& truth, Counts& counts) {
   std::optional<Visit> visit;
   const auto endVisit = [&] {
     if (!visit) return;
@@ -168,7 +151,7 @@ void compareVisits(const Keyframes& keyframes, const Truth& truth, Counts& count
   endVisit();
 }
 
-Counts compare(const graph::Mapper& mapper, const Truth& truth) {
+Counts compare(const graph::Mapper& mapper, const bench::Truth& truth) {
   Counts counts;
   const Keyframes& keyframes = mapper.graph().keyframes();
   const auto trueStep = [&](odometry::KeyframeId a, odometry::KeyframeId b) -> std::optional<Eigen::Isometry3d> {
@@ -196,16 +179,11 @@ Counts compare(const graph::Mapper& mapper, const Truth& truth) {
 }
 
 void run(const std::string& recording, const std::string& truthFile, const std::string& config) {
-  pipeline::SlamOptions options = config.empty() ? pipeline::SlamOptions{} : pipeline::readSlamOptions(config);
-  options.deterministic = true;
-  options.mapping.enabled = false;
-  options.annotate = false;
-  options.filters = pipeline::SlamOptions::noFilters();
-  pipeline::SlamSystem slam(options);
+  pipeline::SlamSystem slam(bench::trackingAlone(config));
   const auto source = sources::openSource(recording, {});
   std::size_t frames = 0;
   std::size_t tracked = 0;
-  const Truth truth(truthFile);
+  const bench::Truth truth(truthFile);
   Relocalisations relocalisations;
   while (const auto observation = source->next()) {
     ++frames;
@@ -232,15 +210,5 @@ void run(const std::string& recording, const std::string& truthFile, const std::
 }  // namespace wardslam
 
 int main(int count, char** arguments) {
-  if (count < 3) {
-    std::fprintf(stderr, "measure_loops RECORDING GROUNDTRUTH [CONFIG]\n");
-    return 2;
-  }
-  try {
-    wardslam::run(arguments[1], arguments[2], count > 3 ? arguments[3] : "");
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "measure_loops: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return wardslam::bench::measure("measure_loops", count, arguments, wardslam::run);
 }

@@ -196,10 +196,7 @@ Eigen::Isometry3d refine(const Matches& matches, const std::vector<std::size_t>&
     }
     const Eigen::Matrix<double, 6, 1> step = -H.ldlt().solve(gradient);
     if (!step.allFinite()) return T_b_a;
-    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-    motion.linear() = core::rotationBy(step.tail<3>());
-    motion.translation() = step.head<3>();
-    T = core::rigid(motion * T);
+    T = core::rigid(core::motionBy(step.head<3>(), step.tail<3>()) * T);
     if (step.cwiseAbs().maxCoeff() < kStill) break;
   }
   return T;

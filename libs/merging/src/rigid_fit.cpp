@@ -16,13 +16,6 @@ constexpr int kIterations = 30;
 constexpr double kConverged = 1e-12;
 constexpr double kKernel = 3.0;  // standard deviations
 
-Eigen::Isometry3d motionBy(const Vector6& step) {
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.translation() = step.head<3>();
-  motion.linear() = core::rotationBy(step.tail<3>());
-  return motion;
-}
-
 /// How far the pair is off, in the first map's axes, and how that changes with a small motion of T_a_b within the first
 /// map's frame.
 struct Residual {
@@ -76,7 +69,7 @@ RigidFit fitRigidly(const std::vector<PosePair>& pairs, const graph::PoseGraphOp
   for (int i = 0; i < kIterations; ++i) {
     const NormalEquations equations = normalEquationsOf(pairs, fit.T_a_b, noise);
     const Vector6 step = -equations.information.ldlt().solve(equations.gradient);
-    fit.T_a_b = core::rigid(motionBy(step) * fit.T_a_b);
+    fit.T_a_b = core::rigid(core::motionBy(step.head<3>(), step.tail<3>()) * fit.T_a_b);
     if (step.norm() < kConverged) break;
   }
   const NormalEquations equations = normalEquationsOf(pairs, fit.T_a_b, noise);

@@ -382,8 +382,8 @@ OdometryResult Odometry::Tracker::result(const Tracking& tracking, std::shared_p
 Eigen::Isometry3d Odometry::Tracker::apply(const std::shared_ptr<const MapUpdate>& update) {
   const bool isMoved = update->joined && update->joined->from == pieces_.pieceOf(submap_);
   pieces_.apply(*update);
-  if (update->submap == submap_ && update->seenAgain) drift_.seeAgain(*update->seenAgain, isMoved);
   if (update->submap != submap_) return Eigen::Isometry3d::Identity();
+  if (update->seenAgain) drift_.seeAgain(*update->seenAgain, isMoved);
   const Eigen::Isometry3d correction = correctionOfYounger(*update);
   map_.apply(update, frame_, correction.linear());
   for (PointId& id : lastSeen_) {

@@ -90,10 +90,7 @@ Eigen::Isometry3d PoseProblem::minimise(const Eigen::Isometry3d& T_cam_map, cons
     if (prior_) addPrior(T, equations);
     const Vector6 step = equations.step();
     if (!step.allFinite()) return T_cam_map;
-    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-    motion.linear() = core::rotationBy(step.tail<3>());
-    motion.translation() = step.head<3>();
-    T = core::rigid(motion * T);
+    T = core::rigid(core::motionBy(step.head<3>(), step.tail<3>()) * T);
     if (step.cwiseAbs().maxCoeff() < kStill) break;
   }
   return T;

@@ -22,10 +22,7 @@ inline constexpr double kLongestStep_s = 0.2;
 
 /// T_before_now after so many seconds (of a small motion: turning and going do not mix).
 [[nodiscard]] inline Eigen::Isometry3d after(const Twist& twist, double seconds) {
-  Eigen::Isometry3d T_before_now = Eigen::Isometry3d::Identity();
-  T_before_now.linear() = core::rotationBy(seconds * twist.rotation_radps);
-  T_before_now.translation() = seconds * twist.translation_mps;
-  return T_before_now;
+  return core::motionBy(seconds * twist.translation_mps, seconds * twist.rotation_radps);
 }
 
 }  // namespace wardslam::odometry

@@ -16,6 +16,15 @@ namespace wardslam::core {
   return Eigen::AngleAxisd(angle_rad, rotation_rad / angle_rad).toRotationMatrix();
 }
 
+/// The motion of a translation and a rotation vector.
+[[nodiscard]] inline Eigen::Isometry3d motionBy(const Eigen::Vector3d& translation_m,
+                                                const Eigen::Vector3d& rotation_rad) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() = rotationBy(rotation_rad);
+  T.translation() = translation_m;
+  return T;
+}
+
 /// The matrix that takes w to v x w.
 [[nodiscard]] inline Eigen::Matrix3d crossProductWith(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
